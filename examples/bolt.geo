@@ -20,6 +20,11 @@ let triangle = sqrt(3) / 2 * pitch
 let crest  = size / 2
 let core   = crest - 5/8 * triangle
 let middle = crest - 3/8 * triangle
+let _core = assert(
+    0.5 * pitch < core,
+    "the pitch leaves no core: take a finer one, or a larger size",
+)
+let _head = assert(thread <= length - 2mm, "the thread is longer than the bolt: take less of it")
 fn half_width(r) = pitch / 4 - (r - middle) * tan(30deg)
 print "pitch diameter {2 * middle:.3mm}, core {2 * core:.3mm}, lead {atan(pitch / (2 * pi * middle)):.2}"
 check half_width(crest) ~= pitch / 16 and half_width(core) ~= 3/8 * pitch       "P/8 and P/4 are flat"

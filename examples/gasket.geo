@@ -15,12 +15,22 @@ param kerf  = 0.15mm in 0mm..0.5mm    "Width of the beam"
 
 let [left, right] = [(0, 0), (apart, 0)]
 
+// Arcs of this radius, between a flange and the waist, touch the waist so far from the middle of the bore; without
+// arcs it is the corner that is there. The flanges leave room for both arcs, or cover the waist.
+let round = 10mm
+fn reach(bore, round) = sqrt((bore / 2 + rim + round)^2 - (rim + round)^2)
+fn both(round) = reach(big, round) + reach(small, round)
+let _room = assert(
+    both(round) < apart or apart <= both(0mm),
+    "the waist is too short for its arcs: move the bores apart, or take less",
+)
+
 // What both flanges cover, with a waist between them, and its corners rounded.
 region flange = region(circle(left, big / 2 + rim))
 region boss   = region(circle(right, small / 2 + rim))
 region waist  = region(polyline([(0, -rim), (apart, -rim), (apart, rim), (0, rim)], closed = true))
 regions whole = union(flange, boss, waist) with (hidden = true)
-region outline = fillet(whole[0], 10mm) with (hidden = true)
+region outline = fillet(whole[0], round) with (hidden = true)
 
 // The bores and the bolts' holes are cut out of it.
 let pitch = big / 2 + rim / 2

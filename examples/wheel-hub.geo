@@ -61,7 +61,7 @@ check [for u in around: normal(blend, u, 1).z] ~= [for u in around: 0] within 1e
 
 // All of it looks away from the metal, and the bolts keep clear of the barrel and the rim.
 check normal(rim, 0, 0.5) ~= (1, 0, 0)
-check normal(bearing, 0, 12) ~= (0, 0, -1)
+check normal(bearing, 0, bore / 2 / 1mm + 1) ~= (0, 0, -1)
 check normal(inner, 0, 0.5) ~= (-1, 0, 0)
 check normal(mouth, 0.3, 0.5) ~= (0, 0, 1)
 check root < pitch - hole           "the bolts clear the fillet"

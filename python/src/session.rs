@@ -427,16 +427,10 @@ impl Results {
     fn check(&self, checked: &Checked) -> Json {
         let source = self.report.sources.at(checked.span);
         let verdict = &checked.verdict;
-        let margin = match (verdict.apart, verdict.limit) {
-            (Some(apart), Some(limit)) => Some(limit - apart),
-            (Some(apart), None) if verdict.holds => Some(apart),
-            (Some(apart), None) => Some(-apart),
-            (None, _) => None,
-        };
         json!({
             "claim": checked.source,
             "holds": verdict.holds,
-            "margin": margin,
+            "margin": verdict.margin(),
             "message": checked.message,
             "file": source.map(|source| source.name.as_str()),
             "line": source.map(|source| source.line_column(checked.span.start).0),

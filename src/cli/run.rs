@@ -162,6 +162,7 @@ fn choose(report: &mut Report, only: &[String]) -> Vec<String> {
 
 /// What is wrong with a name that chooses no export.
 fn not_exported(name: &str, report: &Report, exported: &[&String]) -> String {
+    let is_export = |event: &Event| matches!(event, Event::File(_));
     let defined = || report.definitions.iter().map(|defined| defined.name.as_str());
     let near_exported = nearest(name, exported.iter().map(|name| name.as_str()));
     let is_defined = defined().any(|defined| defined == name);
@@ -176,6 +177,9 @@ fn not_exported(name: &str, report: &Report, exported: &[&String]) -> String {
     names.dedup();
     match near {
         Some(near) => format!("{text}; did you mean `{near}`?"),
+        None if names.is_empty() && report.events.iter().any(is_export) => {
+            format!("{text}, and its exports name none: give what they write a name")
+        }
         None if names.is_empty() => format!("{text}, and it exports nothing"),
         None => format!("{text}; its exports name {}", names.join(", ")),
     }

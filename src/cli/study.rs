@@ -153,6 +153,10 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         Ok(()) => (journal.n_rows < n_variants).then(|| "the study was stopped".to_owned()),
     };
     if let Some(message) = ended {
+        if journal.n_rows == 0 {
+            journal.remove();
+            return Err(StudyFailure::Misuse(message));
+        }
         let (n_rows, name) = (journal.n_rows, unfinished(&asked.out));
         return Err(StudyFailure::Misuse(format!(
             "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",

@@ -59,7 +59,7 @@ codes! {
 
     // E01xx: how statements and expressions are put together.
     Syntax "E0101" "something else was expected here"
-        "The text does not follow the grammar at this place. Every statement begins with a keyword (`let`, `param`, `fn`, `point`, `curve`, `surface`, `mesh`, `table`, `check`, `print`, `export`, `import`, `test`); the message tells what could stand here."
+        "The text does not follow the grammar at this place. Every statement begins with a keyword (`let`, `param`, `fn`, `point`, `curve`, `surface`, `region`, `face`, `solid`, `mesh`, `table`, `check`, `print`, `export`, `import`, `test`); the message tells what could stand here."
     UnclosedBracket "E0102" "a bracket is never closed"
         "Every `(`, `[` and `{` needs its counterpart before the next statement begins."
     StrayBracket "E0103" "a bracket closes nothing"

@@ -23,8 +23,16 @@ impl FileRun<'_> {
         if definition.is_poisoned || !self.is_ready(&definition.dependencies) {
             return look;
         }
+        let mut seen: Vec<Spanned<String>> = Vec::new();
         for option in &definition.with {
             let Some((label, value)) = self.option(option, definition.n_slots) else { continue };
+            if let Some(first) = seen.iter().find(|known| known.value == label.value) {
+                let message = format!("`{}` is given twice", label.value);
+                let found = Diagnostic::error(Code::BadCall, label.span, message);
+                self.diagnostics.push(found.also(first.span, "the first one"));
+                continue;
+            }
+            seen.push(label.clone());
             if let Err(found) = read(&label, &value, &mut look) {
                 self.diagnostics.push(*found);
             }

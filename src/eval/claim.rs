@@ -66,14 +66,35 @@ impl Verdict {
         }
     }
 
-    /// How far the sides are apart, with their unit.
-    fn distances(&self) -> String {
+    /// How far a claim is from failing, negative where it fails, in the unit of [`Self::unit`]; angles are in
+    /// radians.
+    #[must_use]
+    pub fn margin(&self) -> Option<f64> {
+        match (self.apart, self.limit) {
+            (Some(apart), Some(limit)) => Some(limit - apart),
+            (Some(apart), None) if self.holds => Some(apart),
+            (Some(apart), None) => Some(-apart),
+            (None, _) => None,
+        }
+    }
+
+    /// The unit that the sides are told in, `deg` of angles; empty where they have none, or one of several parts
+    /// with angles.
+    #[must_use]
+    pub fn unit(&self) -> &str {
         let sides = self.sides.iter().filter_map(|side| number(&side.value));
         match sides.map(|(_, unit)| unit).find(|unit| !unit.is_empty()) {
+            Some(unit) if unit == DEGREES || !unit.contains(DEGREES) => unit,
+            _ => "",
+        }
+    }
+
+    /// How far the sides are apart, with their unit.
+    fn distances(&self) -> String {
+        match self.unit() {
             // Angles are compared in radians and told in degrees.
-            Some("deg") => self.figures_in(1.0 / radians_of(1.0), "deg"),
-            Some(unit) if !unit.contains("deg") => self.figures_in(1.0, unit),
-            _ => self.figures_in(1.0, ""),
+            DEGREES => self.figures_in(1.0 / radians_of(1.0), DEGREES),
+            unit => self.figures_in(1.0, unit),
         }
     }
 
@@ -115,6 +136,9 @@ impl Verdict {
         sides
     }
 }
+
+/// The unit that angles are told in.
+const DEGREES: &str = "deg";
 
 /// Characters of a value that a report shows.
 const MOST_SHOWN: usize = 120;

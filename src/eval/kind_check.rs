@@ -41,9 +41,14 @@ impl Machine<'_> {
             return Ok(value);
         }
         let promised = match kind {
-            Kind::Points | Kind::Curves | Kind::Surfaces | Kind::Meshes | Kind::Tables => {
-                format!("a list of {}", kind.word())
-            }
+            Kind::Points
+            | Kind::Curves
+            | Kind::Surfaces
+            | Kind::Regions
+            | Kind::Faces
+            | Kind::Solids
+            | Kind::Meshes
+            | Kind::Tables => format!("a list of {}", kind.word()),
             _ => format!("a {}", kind.word()),
         };
         if let Some(found) = stranger(expr, &value, kind, &promised) {

@@ -238,7 +238,18 @@ impl ParameterRules {
                     return Ok(());
                 }
                 let diagnostic = outside(format!("none of {allowed}"));
+                let quoted = match value {
+                    Value::Text(text) => text.strip_prefix('"').and_then(|t| t.strip_suffix('"')),
+                    _ => None,
+                };
                 match nearest_choice(value, choices) {
+                    _ if let Some(bare) = quoted
+                        && choices.iter().any(
+                            |choice| matches!(choice, Value::Text(text) if **text == *bare),
+                        ) =>
+                    {
+                        diagnostic.hint(format!("a text is given without quotes: {bare}"))
+                    }
                     Some(near) => diagnostic.hint(format!("did you mean \"{near}\"?")),
                     None => diagnostic,
                 }

@@ -22,6 +22,8 @@ pub struct Options {
     pub has_edges: bool,
     /// How many lines of equal parameter are drawn inside a surface in each direction.
     pub n_isocurves: usize,
+    /// Whether all lines of a drawing are as thin as what machines that cut take for a path.
+    pub is_hairline: bool,
     /// Whether curves and surfaces are written exactly by a format that also holds meshes.
     pub free_form: bool,
     /// What stands above a document.
@@ -45,6 +47,7 @@ impl Default for Options {
             viewpoint: Viewpoint::default(),
             has_edges: true,
             n_isocurves: N_ISOCURVES,
+            is_hairline: false,
             free_form: false,
             title: None,
             has_picture: None,
@@ -231,6 +234,13 @@ pub(super) static ISOCURVES: ExportOption = ExportOption {
     wants: "a whole number from 0 to 1000",
     words: Vec::new,
     set: |options, value| put(&mut options.n_isocurves, value.count(Options::MOST_ISOCURVES)),
+};
+
+pub(super) static HAIRLINE: ExportOption = ExportOption {
+    name: "hairline",
+    wants: "true or false",
+    words: Vec::new,
+    set: |options, value| put(&mut options.is_hairline, value.truth()),
 };
 
 pub(super) static TITLE: ExportOption = ExportOption {

@@ -21,7 +21,7 @@ pub(super) static FORMAT: Format = Format {
     takes: is_solid,
     takes_data: false,
     is_of_meshes: true,
-    wants: "surfaces and meshes",
+    wants: "surfaces, regions, faces, solids and meshes",
     write,
 };
 

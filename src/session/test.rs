@@ -19,6 +19,8 @@ pub struct TestReport {
     /// What it says and claims. Files of a test are planned, so that mistakes in them show, but
     /// nobody writes them.
     pub events: Vec<Event>,
+    /// The messages of its errors, which are among the findings of the report.
+    pub errors: Vec<String>,
 }
 
 /// How a test came out.
@@ -100,7 +102,18 @@ impl Session {
         } else {
             TestVerdict::Skipped
         };
+        let errors = found.iter().filter(|found| found.severity == Severity::Error);
+        let errors = errors.map(|found| found.message.clone()).collect();
         diagnostics.append(&mut found);
-        TestReport { name, span, verdict, events }
+        TestReport { name, span, verdict, events, errors }
+    }
+}
+
+impl Report {
+    /// How many errors there are outside of tests.
+    #[must_use]
+    pub fn count_untested_errors(&self) -> usize {
+        let of_tests: usize = self.tests.iter().map(|test| test.errors.len()).sum();
+        self.count(Severity::Error) - of_tests
     }
 }

@@ -2,7 +2,7 @@
 
 /// A hash of what comes in, by which a change is noticed. Fowler, Noll and Vo, *FNV-1a* of 128 bits (RFC
 /// 9923).
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Checksum(u128);
 
 impl Default for Checksum {

@@ -1,5 +1,7 @@
 //! The plan of a study: which parameters vary, and the values that each variant gives them.
 
+use std::collections::HashSet;
+
 use serde_json::Value as Json;
 
 use super::{
@@ -19,6 +21,9 @@ const MOST_VARIANTS: u64 = 1_000_000_000;
 
 /// The column of a plan that names its variants.
 const ID: &str = "id";
+
+/// What results put behind the name of a parameter that is called like a column of every study.
+pub(super) const PRIME: char = '\'';
 
 /// Which parameters vary, and where their values come from.
 #[derive(Debug)]
@@ -114,17 +119,35 @@ impl Plan {
     /// that is too short.
     pub fn check(&mut self, schema: &Schema) -> Result<(u64, String), String> {
         let mut titles: Vec<String> = Vec::new();
+        // As results have them where a parameter is called like the names of variants.
+        let has_both = self.columns.iter().any(|column| column.name == format!("{ID}{PRIME}"));
         for column in &mut self.columns {
             if titles.contains(&column.name) {
                 return Err(format!("two columns of the plan are called `{}`", column.name));
             }
             titles.push(column.name.clone());
+            if has_both && column.name == ID {
+                continue;
+            }
             column.fit(schema)?;
         }
         let (mut n_variants, mut sum) = (0, Checksum::default());
+        let has_ids = self.columns.iter().any(|column| column.role == ColumnRole::Id);
+        let mut ids = HashSet::new();
         for row in self.rows() {
             let row = row?;
             n_variants += 1;
+            // Of ids only sums are kept: a plan may be longer than memory.
+            if has_ids {
+                let (id, mut sum) = (self.variant(n_variants, &row).id, Checksum::default());
+                sum.add(id.to_string().as_bytes());
+                if !ids.insert(sum) {
+                    return Err(format!(
+                        "{}two variants are called {id}; an id names one, and where it is left out the number of the row does",
+                        row.place
+                    ));
+                }
+            }
             for (column, cell) in self.columns.iter().zip(&row.cells) {
                 column.check(cell).map_err(|message| format!("{}{message}", row.place))?;
                 sum.add(cell.as_bytes());
@@ -183,6 +206,9 @@ impl Plan {
 impl PlanColumn {
     /// Finds the parameter, and whether the unit suits it.
     fn fit(&mut self, schema: &Schema) -> Result<(), String> {
+        if let Some(name) = self.name.strip_suffix(PRIME) {
+            self.name = name.to_owned();
+        }
         let name = &self.name;
         let found = schema.parameters.iter().find(|parameter| parameter.name == *name);
         let Some(parameter) = found else {

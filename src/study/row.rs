@@ -2,7 +2,11 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{plan::Variant, vary::number_and_unit};
+use super::{
+    plan::{PRIME, Variant},
+    vary::number_and_unit,
+    workers::PICTURE,
+};
 use crate::{
     diag::{Diagnostic, Severity, nearest},
     eval::{Checked, Schema, SchemaParameter},
@@ -172,8 +176,22 @@ impl RowMaker {
                 }
                 None if is_asked && !matches!(value, Value::None) => {
                     let found = value.phrase();
+                    let such_as = match value {
+                        Value::List(_) | Value::Table(_) => {
+                            format!(", such as `let n = len({name})`")
+                        }
+                        Value::Point(_) => format!(", such as `let height = {name}.z`"),
+                        Value::Curve(_) => format!(", such as `let long = length({name})`"),
+                        Value::Surface(_) | Value::Region(_) | Value::Face(_) => {
+                            format!(", such as `let skin = area({name})`")
+                        }
+                        Value::Solid(_) | Value::Mesh(_) => {
+                            format!(", such as `let content = volume({name})`")
+                        }
+                        _ => String::new(),
+                    };
                     return Err(format!(
-                        "`{name}` is {found}, and a result is a number, a text or a truth value; give a name to a number of it, such as `let n = len({name})`"
+                        "`{name}` is {found}, and a result is a number, a text or a truth value; give a name to a number of it{such_as}"
                     ));
                 }
                 None => {}
@@ -206,10 +224,13 @@ fn in_degrees(angle: Number) -> f64 {
     degrees.unwrap_or_else(|| angle.value.to_degrees())
 }
 
-/// `neck [mm]`.
+/// `neck [mm]`; what is called like a column of every study, with a prime.
 fn titled(name: &str, unit: Option<&str>) -> String {
     match unit {
         Some(unit) => format!("{name} [{unit}]"),
+        None if [ID, CODE, MESSAGE, MILLISECONDS, PICTURE].contains(&name) => {
+            format!("{name}{PRIME}")
+        }
         None => name.to_owned(),
     }
 }
@@ -226,19 +247,18 @@ fn add_check(checked: &Checked, report: &Report, row: &mut Row) {
         Some((end, _)) => format!("{}…", &claim[..end]),
         None => claim,
     };
-    let verdict = &checked.verdict;
-    let margin = match (verdict.apart, verdict.limit) {
-        (Some(apart), Some(limit)) => Some(limit - apart),
-        (Some(apart), None) if verdict.holds => Some(apart),
-        (Some(apart), None) => Some(-apart),
-        (None, _) => None,
-    };
+    let (verdict, unit) = (&checked.verdict, checked.verdict.unit());
+    let margin = verdict.margin().map(|margin| match unit {
+        DEGREES => in_degrees(Number::angle(margin)),
+        _ => margin,
+    });
+    let unit = Some(unit).filter(|unit| !unit.is_empty());
     let mut title = format!("{line}: {claim}");
     while row.contains_key(&format!("check {title}")) {
         title.push('\'');
     }
     row.insert(format!("check {title}"), json!(verdict.holds));
-    row.insert(format!("margin {title}"), json!(margin));
+    row.insert(titled(&format!("margin {title}"), unit), json!(margin));
 }
 
 /// The message of an error with its line.

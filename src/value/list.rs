@@ -9,7 +9,7 @@ use std::{
     sync::{Arc, OnceLock},
 };
 
-use super::{Dimension, FromValue, Mismatch, Number, Type, Value};
+use super::{Dimension, FromValue, Mismatch, Number, Type, Value, table_row};
 use crate::diag::Span;
 
 /// How deep and how large a value is, told without walking through it.
@@ -199,7 +199,12 @@ impl FromValue for List {
     const TYPE: Type = Type::List(&Type::Any, 0);
 
     fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
-        Self::of(value, Self::TYPE)
+        match value {
+            Value::Table(table) => {
+                Ok((0..table.n_rows()).map(|row| table_row(table, row)).collect())
+            }
+            _ => Self::of(value, Self::TYPE),
+        }
     }
 }
 

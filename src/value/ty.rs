@@ -125,6 +125,8 @@ impl Type {
             (Self::Geometry, Value::List(items)) => {
                 items.first().is_none_or(|item| self.accepts(item))
             }
+            // A table is run through by its rows.
+            (Self::List(Self::Any, _), Value::Table(_)) => true,
             // A range of whole numbers is as good as their list.
             (Self::List(of, _), Value::Range(_)) => of.accepts(&Value::number(0.0)),
             (Self::OneOf(types), _) => types.iter().any(|of| of.accepts(value)),
@@ -136,9 +138,15 @@ impl Type {
     #[must_use]
     pub fn is_list_of(self, value: &Value) -> bool {
         match self {
-            Self::List(Self::Any, _) => {
-                !matches!(value, Value::Function(_) | Value::List(_) | Value::Range(_))
-            }
+            Self::List(Self::Any, _) => !matches!(
+                value,
+                Value::Function(_)
+                    | Value::List(_)
+                    | Value::Range(_)
+                    | Value::Table(_)
+                    | Value::Record(_)
+                    | Value::Text(_)
+            ),
             Self::List(of, _) => of.accepts(value),
             Self::Grid(of) => Self::List(of, 0).accepts(value),
             Self::OneOf(types) => types.iter().any(|of| of.is_list_of(value)),

@@ -52,7 +52,7 @@ fn a_row_has_parameters_results_checks_and_errors() {
     assert_eq!((err.as_str(), code), ("", 0));
     // An angle prints in degrees, a length in the document's unit; what is not there is empty.
     let expected = "\
-id,width [mm],lean [deg],n,name,doubled,area [mm^2],turned [deg],label,is_wide,reciprocal,check 13: width < 20mm,margin 13: width < 20mm,code,message
+id,width [mm],lean [deg],n,name,doubled,area [mm^2],turned [deg],label,is_wide,reciprocal,check 13: width < 20mm,margin 13: width < 20mm [mm],code,message
 a,10,45,1,round,true,100,90,round 1,false,-0.5,true,10,,
 7,25,30,3,flat,false,625,60,flat 3,true,,false,-5,E0501,division by zero (a.geo:12)
 ";
@@ -115,6 +115,28 @@ fn the_number_of_workers_changes_nothing() {
     assert_eq!(found[0].lines().count(), 301);
 }
 
+/// What is called as a column of every study has a column of its own, and margins have their unit.
+#[test]
+fn names_and_margins_are_told_apart() {
+    let scratch = Scratch::new("study-names");
+    let script = "param id = 1\nparam code = 2\nparam tilt = 15deg\nlet message = \"all well\"\n\
+                  check tilt ~= 15deg within 1deg\ncheck id < 4\n";
+    scratch.file("a.geo", script);
+    assert_eq!(study(&scratch, &["--vary", "id=3,5", "-o", "r.csv"]).2, 0);
+    let expected = "id,id',code',tilt [deg],message',check 5: tilt ~= 15deg within 1deg,\
+margin 5: tilt ~= 15deg within 1deg [deg],check 6: id < 4,margin 6: id < 4,code,message
+1,3,2,15,all well,true,1,true,1,,
+2,5,2,15,all well,true,1,false,-1,,
+";
+    assert_eq!(without_times(&scratch, "r.csv"), expected);
+    // Where no row was made, nothing is left that would be in the way.
+    scratch.file("b.geo", "param n = 1\npoint p = (n, 0)\n");
+    let args = ["study", "b.geo", "--vary", "n=1,2", "--want", "p", "-o", "o.csv"];
+    let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("a run"));
+    assert!(code == 3 && err.contains("such as `let height = p.z`"), "{err}");
+    assert_eq!(files_below(&scratch.0), ["a.geo", "b.geo", "r.csv"]);
+}
+
 #[test]
 fn bad_plans_are_told_before_anything_is_evaluated() {
     let scratch = Scratch::new("study-plans");
@@ -126,6 +148,8 @@ fn bad_plans_are_told_before_anything_is_evaluated() {
         ("width\n", "the plan has no rows"),
         ("widht\n1\n", "no parameter `widht`; did you mean `width`?"),
         ("width,width [mm]\n1,2\n", "two columns of the plan are called `width`"),
+        ("id,n\na,1\nb,1\na,3\n", "p.csv:4: two variants are called \"a\""),
+        ("id,n\n2,1\n,3\n", "p.csv:3: two variants are called 2"),
         ("width,n\n1,2\n3\n", "p.csv:3: the row has 1 cell, the header has 2"),
         (
             "lean\n30\n",

@@ -8,7 +8,7 @@ use proptest::{
     prelude::{ProptestConfig, Strategy},
     prop_assert, proptest,
 };
-use virote_kernel::{GeomError, Mesh, MeshError, polygon_mesh};
+use virote_kernel::{Frame, GeomError, Mesh, MeshError, NurbsSurface, polygon_mesh, tessellate};
 
 use crate::{
     mesh_boolean::{Operation, TOLERANCE, cuboid, volume},
@@ -139,5 +139,20 @@ proptest! {
         let fill = Mesh::difference(&[&after, &before], TOLERANCE).unwrap();
         let balance = volume(&cut) - volume(&fill);
         prop_assert!((balance - (before.volume() - after.volume())).abs() < 1e-8);
+    }
+}
+
+/// A ball, whose triangles are slivers at its poles, with itself.
+#[test]
+fn a_mesh_with_itself_is_itself_or_nothing() {
+    for tolerance in [0.05, 0.02] {
+        let ball = NurbsSurface::sphere(Frame::XY, 0.7).unwrap();
+        let ball = tessellate(&ball, tolerance, 100_000).unwrap();
+        let whole = ball.volume();
+        for operation in [Mesh::union, Mesh::intersection] {
+            let same = operation(&[&ball, &ball], TOLERANCE).unwrap();
+            assert!((volume(&same) - whole).abs() <= 1e-12 * whole);
+        }
+        assert_eq!(Mesh::difference(&[&ball, &ball], TOLERANCE).unwrap(), None);
     }
 }

@@ -392,3 +392,20 @@ fn the_nearest_place_of_a_curve_within_the_tolerance_is_its_own() {
         assert!(foot.point.distance(DVec3::new(0.6, 0.8, 0.0) * size) < 1e-14 * size, "{size:e}");
     }
 }
+
+/// Where parameter lines are slanted against a thin surface, no part of it can be left out by the squares of
+/// distances alone.
+#[test]
+fn a_point_of_a_slanted_sliver_is_its_own_foot() {
+    let (o, x) = (DVec3::ZERO, 2.0 * DVec3::X);
+    for width in [0.1, 1e-3, 1e-5] {
+        let tip = x + DVec3::Y * width;
+        let sliver = NurbsSurface::bilinear(o, tip, x, tip).unwrap();
+        for at in scattered(60) {
+            let p = sliver.point_at(at.x, at.y);
+            assert!(sliver.closest(p).distance <= 1e-10, "{p} of {width}");
+            let above = sliver.closest(p + 0.3 * DVec3::Z).distance;
+            assert!((above - 0.3).abs() <= 1e-10, "{p} of {width}: {above}");
+        }
+    }
+}

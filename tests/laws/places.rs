@@ -325,3 +325,40 @@ fn lengths_are_inverted() {
     assert_eq!(parts.len(), 4);
     assert!(parts[1].distance(DVec3::new(-1.0, 3f64.sqrt(), 0.0)) < 1e-12);
 }
+
+/// A polygon of as many diameters of a circle, each run through once.
+fn star(n: usize) -> NurbsCurve {
+    let corner = |i: usize| {
+        let angle = std::f64::consts::PI * ((i / 2) as f64) / n as f64;
+        let out = if i.is_multiple_of(2) == (i / 2).is_multiple_of(2) { 1.0 } else { -1.0 };
+        DVec3::new(out * libm::cos(angle), out * libm::sin(angle), 0.0)
+    };
+    NurbsCurve::polyline(&(0..2 * n).map(corner).collect::<Vec<_>>()).unwrap()
+}
+
+/// A curve that comes through one point again and again meets another there each time.
+#[test]
+fn every_passage_through_a_point_counts() {
+    for n in [3, 6, 10] {
+        let star = star(n);
+        let line =
+            NurbsCurve::line(DVec3::new(-0.3, -0.1, 0.0), DVec3::new(0.3, 0.1, 0.0)).unwrap();
+        let is_middle = |point: &DVec3| point.length() < 1e-6;
+        let meetings = line.intersections(&star, 1e-6).unwrap();
+        assert_eq!(meetings.iter().filter(|meeting| is_middle(&meeting.point)).count(), n);
+        let own = star.self_intersections(1e-6).unwrap();
+        let own = own.iter().filter(|meeting| is_middle(&meeting.point));
+        assert_eq!(own.count(), n * (n - 1) / 2);
+    }
+}
+
+/// A figure of eight that begins where it crosses itself crosses itself once.
+#[test]
+fn a_crossing_at_the_seam_counts_once() {
+    let points =
+        [[0.0, 0.0], [1.0, 1.0], [1.0, -1.0], [0.0, 0.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, 0.0]];
+    let eight = NurbsCurve::polyline(&points.map(|[x, y]| DVec3::new(x, y, 0.0))).unwrap();
+    let meetings = eight.self_intersections(1e-6).unwrap();
+    assert_eq!(meetings.len(), 1, "{meetings:?}");
+    are(&[meetings[0].first, meetings[0].second], &[0.0, 3.0]);
+}

@@ -101,3 +101,20 @@ proptest! {
         prop_assert!((behind.z - before.z).dot(here.y).abs() < 1e-7);
     }
 }
+
+/// A binormal that turns fast, by more than a right angle between two places of the first look, does not
+/// turn around; that of a plane S does.
+#[test]
+fn a_frame_that_turns_fast_is_no_flip() -> Result<(), GeomError> {
+    let turning =
+        [[0.0, 0.0, 0.0], [1.0, 2.0, 1.0], [2.0, -2.0, 0.0], [3.0, 0.0, 1.0], [4.0, 1.0, 0.0]];
+    let plane = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, -2.0, 0.0], [3.0, 0.0, 0.0]];
+    let flips = |points: &[[f64; 3]]| {
+        let path = NurbsCurve::bezier(&points.iter().map(|&p| DVec3::from(p)).collect::<Vec<_>>())?;
+        Frames::new(&path, FrameRule::Frenet, DVec3::Z, false).map(|frames| frames.flips().to_vec())
+    };
+    assert!(flips(&turning)?.is_empty());
+    let found = flips(&plane)?;
+    assert!(found.len() == 1 && found[0][0] <= 0.5 && 0.5 <= found[0][1], "{found:?}");
+    Ok(())
+}

@@ -21,10 +21,14 @@ impl Prompt {
     /// Puts the document of a file into the place of this one, if all of it holds. Checks are
     /// judged; nothing is printed and no file written.
     pub(super) fn load(&mut self, path: &Path) {
-        let script = match Script::read(path, self.limits().source_bytes) {
-            Ok(script) => script,
-            Err(message) => return self.refuse(&message),
-        };
+        match Script::read(path, self.limits().source_bytes) {
+            Ok(script) => self.open(script),
+            Err(message) => self.refuse(&message),
+        }
+    }
+
+    /// [`Self::load`] of a script that was read.
+    pub(super) fn open(&mut self, script: Script) {
         let text = match script_text(&script.bytes) {
             Ok(text) => text.to_owned(),
             Err(what) => return self.refuse(&format!("{}: {what}", script.name)),

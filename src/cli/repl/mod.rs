@@ -37,6 +37,7 @@ use super::{
     standard_streams::say,
 };
 use crate::{
+    disk::Script,
     eval::KeptGlobals,
     ide::Values,
     syntax::{PromptEntry, ast::Unit, entry, parts},
@@ -73,7 +74,14 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         unit: Unit::Mm,
     };
     if let Some(file) = file {
-        prompt.load(file);
+        // As of every other command.
+        match Script::read(file, prompt.limits().source_bytes) {
+            Ok(script) => prompt.open(script),
+            Err(message) => {
+                prompt.voice.trouble(&message);
+                return ExitStatus::Usage;
+            }
+        }
     }
     if prompt.is_terminal { prompt.converse(common.talk.quiet) } else { prompt.listen() }
 }

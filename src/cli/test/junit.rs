@@ -11,7 +11,6 @@ use super::{
     tested::{TestAttempt, TestedScript},
 };
 use crate::{
-    diag::Severity,
     disk::replace,
     render,
     session::{Event, Report, TestVerdict},
@@ -66,7 +65,7 @@ pub(super) fn suite(tried: &TestAttempt) -> JunitSuite {
 fn cases(tested: &TestedScript) -> Vec<JunitCase> {
     let report = &tested.report;
     let mut cases = Vec::new();
-    let n_errors = report.count(Severity::Error);
+    let n_errors = report.count_untested_errors();
     if !report.unknown_settings.is_empty() {
         let message = report.unknown_settings.join("; ");
         cases.push(JunitCase::new("parameters", TestVerdict::Wrong, message));
@@ -79,6 +78,9 @@ fn cases(tested: &TestedScript) -> Vec<JunitCase> {
         let mut case = of_claims(&test.name, &test.events, Some(test.verdict))
             .unwrap_or_else(|| JunitCase::new(&test.name, test.verdict, String::new()));
         case.line = line(report, test.span.start);
+        if let Some(error) = test.errors.first() {
+            case.message.clone_from(error);
+        }
         cases.push(case);
     }
     cases.extend(tested.golden.as_ref().map(of_golden));

@@ -12,7 +12,6 @@ use crate::{
         exit_status::ExitStatus,
         reporter::{Reporter, counted},
     },
-    diag::Severity,
     session::{Event, TestVerdict},
 };
 
@@ -68,7 +67,7 @@ impl<'a> TestReporter<'a> {
         }
         self.checks(tested);
         self.tests(tested);
-        let n_errors = report.count(Severity::Error);
+        let n_errors = report.count_untested_errors();
         if n_errors > 0 {
             let text = format!("{}  {}", tested.name, counted(n_errors, "error"));
             self.voice.result(TestVerdict::Wrong, &text);

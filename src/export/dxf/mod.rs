@@ -29,7 +29,7 @@ pub(super) static FORMAT: Format = Format {
     },
     takes_data: false,
     is_of_meshes: false,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write,
 };
 

@@ -24,7 +24,7 @@ pub(super) static GLB: Format = Format {
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write: write_glb,
 };
 
@@ -36,7 +36,7 @@ pub(super) static GLTF: Format = Format {
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write: write_gltf,
 };
 

@@ -34,7 +34,7 @@ pub(super) static FORMAT: Format = Format {
     },
     takes_data: false,
     is_of_meshes: false,
-    wants: "points, curves and surfaces",
+    wants: "points, curves, surfaces, regions, faces and solids",
     write,
 };
 

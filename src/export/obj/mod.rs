@@ -23,7 +23,7 @@ pub(super) static FORMAT: Format = Format {
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: true,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write,
 };
 

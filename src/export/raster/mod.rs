@@ -35,7 +35,7 @@ pub(crate) static FORMAT: Format = Format {
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write,
 };
 

@@ -16,8 +16,8 @@ use self::{hidden::HidingScene, path::Pen};
 use super::{
     ExportError, Format, Item, Job, POINT, STROKE, Subject, Summary,
     options::{
-        CAMERA, DECIMALS, EDGES, ISOCURVES, LOOK_AT, OBLIQUE_ANGLE, OBLIQUE_RATIO, PERSPECTIVE,
-        TOLERANCE, VIEW,
+        CAMERA, DECIMALS, EDGES, HAIRLINE, ISOCURVES, LOOK_AT, OBLIQUE_ANGLE, OBLIQUE_RATIO,
+        PERSPECTIVE, TOLERANCE, VIEW,
     },
     text::TextBuffer,
     unique_values::UniqueValues,
@@ -44,11 +44,12 @@ pub(super) static FORMAT: Format = Format {
         &PERSPECTIVE,
         &EDGES,
         &ISOCURVES,
+        &HAIRLINE,
     ],
     takes: Subject::is_geometry,
     takes_data: false,
     is_of_meshes: false,
-    wants: "points, curves, surfaces and meshes",
+    wants: "points, curves, surfaces, regions, faces, solids and meshes",
     write,
 };
 
@@ -56,6 +57,8 @@ pub(super) static FORMAT: Format = Format {
 const FILL: f64 = 0.1;
 /// Free space around the drawing, in strokes.
 const MARGIN: f64 = 10.0;
+/// Millimetres of a line that laser cutters take for a path and not for an area.
+const HAIRLINE_WIDTH: f64 = 0.01;
 /// Drawings of these sizes, in millimetres, are made to be printed as large as they are.
 const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 
@@ -144,6 +147,8 @@ impl SvgSheet {
         let size = bounds.size().truncate().length();
         let size = if size == 0.0 { 1.0 } else { size };
         let (stroke, margin) = (STROKE * size, MARGIN * STROKE * size);
+        let is_hairline = job.options.is_hairline;
+        let stroke = if is_hairline { HAIRLINE_WIDTH / job.millimetres } else { stroke };
         let mut extent = (bounds.size().truncate() + 2.0 * margin).to_array();
         if job.picture.as_ref().is_some_and(|picture| !picture.legends.is_empty()) {
             extent[0] += legend::WIDTH * stroke;

@@ -138,7 +138,7 @@ pub enum CountError {
     #[error("{rows} rows of {columns} need {needed} entries, got {got}")]
     GridSize { rows: usize, columns: usize, needed: usize, got: usize },
     /// Fewer curves than the construction needs.
-    #[error("{needed} curves or more are needed, found {got}")]
+    #[error("{} needed, found {got}", if *needed == 1 { "a curve is".to_owned() } else { format!("{needed} curves or more are") })]
     TooFewCurves { got: usize, needed: usize },
     /// Not as many of something as the construction needs.
     #[error("{needed} {what} are needed, got {got}")]

@@ -8,7 +8,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::quotient::SecondHulls;
+use super::{homothetic::HomotheticSections, quotient::SecondHulls};
 use crate::{
     Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, frame::unit, homogeneous::place,
     side_by_side, tolerance::EXACT_RELATIVE,
@@ -50,41 +50,76 @@ pub(super) struct PieceBounds {
 impl DerivativeBounds {
     /// Those of about as many pieces along u and along v as wanted, found by up to `n_threads` threads.
     pub(super) fn of(surface: &NurbsSurface, wanted: [usize; 2], n_threads: usize) -> Self {
-        let mut refined = surface.clone();
+        let mut clamped = surface.clone();
         for along in Direction::BOTH {
-            let mut lines = refined.lines(along).clamped();
-            let new = missing_knots(&lines.knots, wanted[usize::from(along == Direction::V)]);
-            if let Ok(more) = lines.clone().with_knots(&new) {
-                lines = more;
-            }
-            refined = refined.with_lines(along, lines);
+            clamped = clamped.with_lines(along, clamped.lines(along).clamped());
         }
-        let spans = [refined.knots_u(), refined.knots_v()].map(|knots| {
-            knots.spans().map(|span| (span, knots.span_interval(span))).collect::<Vec<_>>()
-        });
-        let row = |&(span_u, domain_u): &(usize, Interval)| -> Vec<PieceBounds> {
-            let mut hulls = SecondHulls::default();
-            let piece = |&(span_v, domain_v): &(usize, Interval)| {
-                let net = refined.control_points();
-                let columns = refined.knots_v().support(span_v);
-                let (first, n_columns) = (*columns.start(), columns.count());
-                let rows = refined.knots_u().support(span_u);
-                let points =
-                    rows.flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
-                let net = Grid::from_rows_of(n_columns, points.collect());
-                bend(surface, &net, [domain_u, domain_v], 0, &mut hulls)
-            };
-            spans[1].iter().map(piece).collect()
+        let new = [clamped.knots_u(), clamped.knots_v()];
+        let new = [0, 1].map(|i| missing_knots(new[i], wanted[i]));
+        let (domains, pieces) = match HomotheticSections::of(&clamped, &new) {
+            Some(sections) => {
+                let domains = sections.domains();
+                let pieces = of_homothetic(&sections, &domains);
+                (domains, pieces)
+            }
+            None => of_patches(surface, refined(clamped, &new), n_threads),
         };
-        let rows = side_by_side::map(&spans[0], n_threads, row);
-        let pieces = Grid::from_rows_of(spans[1].len(), rows.into_iter().flatten().collect());
-        let ends = spans.map(|spans| -> Vec<f64> {
-            let starts = spans.iter().map(|(_, interval)| interval.start());
-            starts.chain(spans.last().map(|(_, interval)| interval.end())).collect()
+        let ends = domains.map(|domains| -> Vec<f64> {
+            let starts = domains.iter().map(|interval| interval.start());
+            starts.chain(domains.last().map(|interval| interval.end())).collect()
         });
         let plane = plane(surface, &pieces, &ends);
         Self { ends, pieces, plane }
     }
+}
+
+fn refined(mut surface: NurbsSurface, new: &[Vec<f64>; 2]) -> NurbsSurface {
+    for along in Direction::BOTH {
+        if let Ok(lines) = surface.lines(along).with_knots(&new[along]) {
+            surface = surface.with_lines(along, lines);
+        }
+    }
+    surface
+}
+
+/// The bounds of a surface of two curves over all pieces.
+fn of_homothetic(sections: &HomotheticSections, domains: &[Vec<Interval>; 2]) -> Grid<PieceBounds> {
+    let mut hulls: [Vec<DVec3>; 3] = Default::default();
+    let mut pieces = Vec::with_capacity(domains[0].len() * domains[1].len());
+    for (i, u) in domains[0].iter().enumerate() {
+        for (j, v) in domains[1].iter().enumerate() {
+            let middle = sections.second([i, j], &mut hulls);
+            pieces.push(PieceBounds::new(middle, &hulls, [u.length(), v.length()]));
+        }
+    }
+    Grid::from_rows_of(domains[1].len(), pieces)
+}
+
+/// The bounds of any other one, whose Bézier patches are those of `refined`.
+fn of_patches(
+    surface: &NurbsSurface,
+    refined: NurbsSurface,
+    n_threads: usize,
+) -> ([Vec<Interval>; 2], Grid<PieceBounds>) {
+    let spans = [refined.knots_u(), refined.knots_v()].map(|knots| {
+        knots.spans().map(|span| (span, knots.span_interval(span))).collect::<Vec<_>>()
+    });
+    let row = |&(span_u, domain_u): &(usize, Interval)| -> Vec<PieceBounds> {
+        let mut hulls = SecondHulls::default();
+        let piece = |&(span_v, domain_v): &(usize, Interval)| {
+            let net = refined.control_points();
+            let columns = refined.knots_v().support(span_v);
+            let (first, n_columns) = (*columns.start(), columns.count());
+            let rows = refined.knots_u().support(span_u);
+            let points = rows.flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
+            let net = Grid::from_rows_of(n_columns, points.collect());
+            bend(surface, &net, [domain_u, domain_v], 0, &mut hulls)
+        };
+        spans[1].iter().map(piece).collect()
+    };
+    let rows = side_by_side::map(&spans[0], n_threads, row);
+    let pieces = Grid::from_rows_of(spans[1].len(), rows.into_iter().flatten().collect());
+    (spans.map(|spans| spans.into_iter().map(|(_, domain)| domain).collect()), pieces)
 }
 
 /// The knots that make Bézier pieces of a clamped spline, about as many as wanted.
@@ -164,6 +199,29 @@ impl PieceBounds {
         middle: [DVec3::ZERO; 5],
     };
 
+    /// Those of a piece of these lengths along u and along v, from vectors in whose hulls Suu, Suv and Svv are,
+    /// by fractions of it.
+    fn new(middle: [DVec3; 5], hulls: &[Vec<DVec3>; 3], [a, b]: [f64; 2]) -> Self {
+        let normal = unit(middle[0].cross(middle[1]));
+        let scales = [a * a, a * b, b * b];
+        let n = normal.unwrap_or(DVec3::ZERO);
+        let (mut second, mut across) = ([0.0_f64; 3], [0.0_f64; 3]);
+        let mut lift = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
+        for (i, hull) in hulls.iter().enumerate() {
+            for &vector in hull {
+                let vector = vector / scales[i];
+                let along = n.dot(vector);
+                lift[i] = [lift[i][0].min(along), lift[i][1].max(along)];
+                across[i] = across[i].max((vector - n * along).length_squared());
+                second[i] = second[i].max(vector.length_squared());
+            }
+        }
+        let (second, across) = (second.map(f64::sqrt), across.map(f64::sqrt));
+        let spread = [0, 1].map(|i| 0.5 * (a * second[i] + b * second[i + 1]));
+        let first = [0, 1].map(|i| middle[i].length() + spread[i]);
+        Self { second, lift, across, normal, first, spread, middle }
+    }
+
     /// Bounds over two pieces; the middle is that of the second one, and there is no normal.
     fn union(self, other: Self) -> Self {
         fn max<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
@@ -188,26 +246,8 @@ fn of_positive(
     hulls: &mut SecondHulls,
 ) -> PieceBounds {
     let [u, v] = domains.map(|domain| domain.at(0.5));
-    let [a, b] = domains.map(Interval::length);
     let at_middle = surface.derivatives_at(u, v, 2);
     let middle = [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2)].map(|(k, l)| at_middle.get(k, l));
-    let normal = unit(middle[0].cross(middle[1]));
     let center = place(net.get(net.n_rows() / 2, net.n_columns() / 2));
-    let scales = [a * a, a * b, b * b];
-    let n = normal.unwrap_or(DVec3::ZERO);
-    let (mut second, mut across) = ([0.0_f64; 3], [0.0_f64; 3]);
-    let mut lift = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-    for (i, hull) in hulls.of(net, center).iter().enumerate() {
-        for &vector in hull {
-            let vector = vector / scales[i];
-            let along = n.dot(vector);
-            lift[i] = [lift[i][0].min(along), lift[i][1].max(along)];
-            across[i] = across[i].max((vector - n * along).length_squared());
-            second[i] = second[i].max(vector.length_squared());
-        }
-    }
-    let (second, across) = (second.map(f64::sqrt), across.map(f64::sqrt));
-    let spread = [0, 1].map(|i| 0.5 * (a * second[i] + b * second[i + 1]));
-    let first = [0, 1].map(|i| middle[i].length() + spread[i]);
-    PieceBounds { second, lift, across, normal, first, spread, middle }
+    PieceBounds::new(middle, hulls.of(net, center), domains.map(Interval::length))
 }

@@ -106,9 +106,17 @@ fn combined(
     let mut first = welded(&places, distance).into_iter().map(|first| places[first as usize]);
     let rounding = BOOLEAN_RELATIVE * bounds.magnitude();
     let mut bodies = Vec::with_capacity(meshes.len());
+    let mut known: Vec<Mesh> = Vec::new();
     for (index, mesh) in meshes.iter().enumerate() {
         let vertices = first.by_ref().take(mesh.n_vertices()).collect();
         let mesh = Mesh { vertices, triangles: mesh.triangles.clone(), ..Mesh::default() };
+        // The same mesh again adds nothing, and takes all away.
+        if let Some(same) = known.iter().position(|known| *known == mesh) {
+            if same == 0 && combination == Combination::Difference {
+                return Ok(None);
+            }
+            continue;
+        }
         let body =
             ManifoldBody::checked(&mesh, tolerance, distance).map_err(|error| match error {
                 GeomError::Mesh(fault) if 1 < meshes.len() => {
@@ -117,6 +125,7 @@ fn combined(
                 error => error,
             })?;
         bodies.push(body);
+        known.push(mesh);
     }
 
     // Combine them exactly; where that leaves slivers, once more with what is short in one place.

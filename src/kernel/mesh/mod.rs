@@ -27,6 +27,7 @@ mod fault;
 mod flattened;
 mod form;
 mod grid;
+mod homothetic;
 mod measure;
 mod near;
 mod nearest;

@@ -137,6 +137,37 @@ impl SecondHulls {
     }
 }
 
+/// What the value, the first and the second derivative of a rational curve are hulls of, by fractions of it.
+pub(super) type CurveHulls = [Vec<DVec4>; 3];
+
+/// Those of a Bézier curve of four coordinates with positive weights, given by its points times their weights.
+pub(super) fn curve_hulls(points: &[DVec4], weights: &[f64]) -> CurveHulls {
+    let (mut weight, mut numerator) = (Polynomial::default(), Polynomial::default());
+    let (along, mut room) = (Direction::U, Polynomial::default());
+    let is_constant = weights.iter().all(|&one| (one - weights[0]).abs() <= 0.0);
+    weight.set_along(along, if is_constant { &weights[..1] } else { weights });
+    numerator.set_along(along, points);
+    let (mut by, mut slope) = (Polynomial::default(), Polynomial::default());
+    weight.derive(along, &mut by);
+    let (mut denominator, mut other) = (weight.clone(), Polynomial::default());
+    let mut hulls = vec![numerator.over(&denominator)];
+    // The derivative of N/w^k is (N'·w - k·N·w')/w^(k + 1).
+    for power in [1.0, 2.0] {
+        numerator.derive(along, &mut slope);
+        let mut product = Polynomial::default();
+        slope.multiply(&weight, &mut product);
+        numerator.multiply(&by, &mut other);
+        product.subtract(&mut other, power, &mut room);
+        let mut higher = Polynomial::default();
+        denominator.multiply(&weight, &mut higher);
+        (numerator, denominator) = (product, higher);
+        numerator.raise_to(denominator.sizes, &mut room);
+        hulls.push(numerator.over(&denominator));
+    }
+    let [value, first, second] = &mut hulls[..] else { unreachable!("there are three") };
+    [value, first, second].map(std::mem::take)
+}
+
 /// A polynomial in u and v by its Bernstein coefficients, each times its binomials, so that
 /// products are sums of products.
 #[derive(Clone, Debug, Default)]
@@ -192,6 +223,14 @@ where
                 }
             }
         }
+    }
+
+    /// The quotients of its coefficients and those of another one, of no higher degrees.
+    fn over(&self, denominator: &Polynomial<f64>) -> Vec<T> {
+        let mut denominator = denominator.clone();
+        denominator.raise_to(self.sizes, &mut Polynomial::default());
+        let quotients = self.coefficients.iter().zip(&denominator.coefficients);
+        quotients.map(|(&value, &under)| value * (1.0 / under)).collect()
     }
 
     /// Takes another one times a factor away, both first brought to one degree.

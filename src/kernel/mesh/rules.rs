@@ -72,8 +72,18 @@ impl CellRules {
                     .all(|near| is_round(near.lift.and(near.slip)))
     }
 
+    /// The widest step along u for one along v, if it is less than `most`: mostly it is not, which takes no root to
+    /// tell.
+    pub(super) fn widest_below(&self, most: f64, b: f64) -> f64 {
+        let fits = |form: &ParameterBoxes| form.share([most, b]) <= 1.0;
+        let keeps = |near: &NormalRules| near.forms().iter().all(fits);
+        let is_most = self.also.iter().all(fits)
+            && (fits(&self.whole) || self.near.as_ref().is_some_and(keeps));
+        if is_most { most } else { self.widest(b).min(most) }
+    }
+
     /// The widest step along u for one along v; nothing where the latter is too wide alone.
-    pub(super) fn widest(&self, b: f64) -> f64 {
+    fn widest(&self, b: f64) -> f64 {
         let least = |forms: &[ParameterBoxes]| {
             forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min)
         };

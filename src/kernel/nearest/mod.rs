@@ -34,8 +34,12 @@ use tree::PatchTree;
 /// equally near, askew to the parameters, are there that many.
 const MANY_PARTS: usize = 1000;
 
-/// How many times less the search is content with after that many parts.
+/// How many times less the search is content with after that many parts, and how often that is said at most.
 const LENIENCY: f64 = 8.0;
+const MOST_LENIENCIES: usize = 4;
+
+/// Parts after which planes too are tried to keep a part away.
+const EASY_PARTS: usize = MANY_PARTS / 8;
 
 /// Parts looked at, whatever comes: for the sake of numbers out of range.
 const MOST_PARTS: usize = 100 * MANY_PARTS;
@@ -206,7 +210,7 @@ impl ClosestPointSearch<'_> {
         match self.wanted {
             SearchTarget::AllWithin(tolerance) => self.best + tolerance,
             SearchTarget::One => {
-                let many = self.n_parts / MANY_PARTS;
+                let many = (self.n_parts / MANY_PARTS).min(MOST_LENIENCIES);
                 let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
                 self.best - self.rounding * leniency
             }
@@ -257,6 +261,9 @@ impl ClosestPointSearch<'_> {
         let limit = self.limit();
         let is_done = limit < 0.0 || MOST_PARTS < self.n_parts;
         if is_done || self.gap.is_never_below(limit * limit) {
+            return None;
+        }
+        if EASY_PARTS < self.n_parts && self.patch.is_part_beyond(cell, limit) {
             return None;
         }
         if matches!(self.wanted, SearchTarget::AllWithin(_)) && self.is_equally_near() {

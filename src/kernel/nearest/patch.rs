@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, DVec4};
 
 use super::spans::DirectionSpans;
 use crate::{
-    Bounds, Direction, Interval,
+    Bounds, Direction, Interval, bezier,
     ceiling::{NEAREST_STEPS, STEP_HALVINGS},
     homogeneous,
     numeric::{
@@ -157,6 +157,41 @@ impl BezierPatch {
         let is_behind =
             |point: &DVec4| 0.0 < point.w && limit * point.w <= point.truncate().dot(direction);
         self.net.iter().all(is_behind)
+    }
+
+    /// Whether a plane along the direction in which a part is longest keeps all of it further away than `limit`.
+    ///
+    /// Of a thin part that is slanted against the parameters the squares of distances say little: what is large in
+    /// them along the part comes and goes between coefficients, and what is small across it tells how far it is.
+    pub(super) fn is_part_beyond(&self, cell: PatchPart, limit: f64) -> bool {
+        let net = self.part(cell);
+        if !net.iter().all(|point| 0.0 < point.w) {
+            return false;
+        }
+        let places: Vec<DVec3> = net.iter().map(|&point| homogeneous::place(point)).collect();
+        let reach = |place: &&DVec3| place.distance_squared(places[0]);
+        let furthest = places.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
+        let along = furthest.and_then(|far| (*far - places[0]).try_normalize());
+        let middle = places.iter().sum::<DVec3>() / places.len() as f64;
+        let across = along.map_or(middle, |along| middle - along * middle.dot(along));
+        let Some(across) = across.try_normalize() else { return false };
+        places.iter().all(|place| limit <= place.dot(across))
+    }
+
+    /// The net of a part.
+    fn part(&self, cell: PatchPart) -> Vec<DVec4> {
+        let cut = |line: &[DVec4], i: usize| {
+            if line.len() == 1 {
+                return line.to_vec();
+            }
+            let (low, high) = (cell.low[i], cell.high[i]);
+            let (below, _) = bezier::cut_at(line, high);
+            bezier::cut_at(&below, low / high).1
+        };
+        let n_v = self.degrees[1] + 1;
+        let rows: Vec<Vec<DVec4>> = self.net.chunks_exact(n_v).map(|row| cut(row, 1)).collect();
+        let column = |j: usize| cut(&rows.iter().map(|row| row[j]).collect::<Vec<_>>(), 0);
+        (0..n_v).flat_map(column).collect()
     }
 
     /// The box of the control points; without bounds where a weight is not positive.

@@ -76,6 +76,9 @@ const FIRST_STEPS: usize = 16;
 /// Doublings of the number of steps.
 const MAX_DOUBLINGS: usize = 7;
 
+/// Halvings of a step after which what still turns around in it does so at once.
+const FLIP_HALVINGS: usize = 20;
+
 /// Frames at many places of a path, from which those between follow.
 ///
 /// ```
@@ -272,11 +275,11 @@ impl Frames {
                 Some(before) => {
                     let length = before.length + point.distance(before.point);
                     let axes = self.next(before, t, point, x)?;
-                    if axes.z.dot(before.axes.z) < 0.0 && self.rule != FrameRule::RotationMinimizing
-                    {
+                    let place = FramePlace { t, point, axes, length };
+                    if self.is_flip(before, place)? {
                         self.flips.push([before.t, t]);
                     }
-                    FramePlace { t, point, axes, length }
+                    place
                 }
             };
             self.places.push(place);
@@ -284,6 +287,26 @@ impl Frames {
         let total = self.places.last().map_or(1.0, |place| place.length);
         self.places.iter_mut().for_each(|place| place.length /= total);
         Ok(())
+    }
+
+    /// Whether the frame turns around at once between two places, rather than fast: halves are asked as long
+    /// as it turns by more than a right angle over one of them.
+    fn is_flip(&self, mut before: FramePlace, mut after: FramePlace) -> Result<bool, GeomError> {
+        if self.rule == FrameRule::RotationMinimizing {
+            return Ok(false);
+        }
+        let is_turned = |a: FramePlace, b: FramePlace| a.axes.z.dot(b.axes.z) < 0.0;
+        for _ in 0..FLIP_HALVINGS {
+            if !is_turned(before, after) {
+                return Ok(false);
+            }
+            let t = f64::midpoint(before.t, after.t);
+            let point = self.path.point_at(t);
+            let axes = self.next(before, t, point, self.tangent(t)?)?;
+            let middle = FramePlace { t, point, axes, length: before.length };
+            *(if is_turned(before, middle) { &mut after } else { &mut before }) = middle;
+        }
+        Ok(true)
     }
 
     fn first(&self, t: f64, x: DVec3) -> Result<Axes, GeomError> {

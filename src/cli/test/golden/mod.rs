@@ -89,7 +89,7 @@ pub(super) fn judge(
     if !is_there && (wish != GoldenMode::Make || !says_something) {
         return None;
     }
-    if 0 < report.count(Severity::Error) {
+    if 0 < report.count_untested_errors() {
         return Some((GoldenOutcome::Skipped, ExitStatus::Wrong));
     }
     let unusable = |message| Some((GoldenOutcome::Unusable(message), ExitStatus::Usage));

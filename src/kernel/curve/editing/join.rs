@@ -29,15 +29,15 @@ use crate::{
 /// ```
 ///
 /// # Errors
-/// [`CountError::TooFewCurves`] below two; [`JointError::Gap`] wider than the tolerance;
+/// [`CountError::TooFewCurves`] for none; [`JointError::Gap`] wider than the tolerance;
 /// [`KnotError::VanishingPiece`] for a domain too short beside the others;
 /// `InputError::NotFinite` where the weights leave the numbers.
 pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomError> {
     let [first, others @ ..] = curves else {
-        return Err(CountError::TooFewCurves { got: 0, needed: 2 }.into());
+        return Err(CountError::TooFewCurves { got: 0, needed: 1 }.into());
     };
     if others.is_empty() {
-        return Err(CountError::TooFewCurves { got: 1, needed: 2 }.into());
+        return Ok(first.clone());
     }
     check_gaps(curves, tolerance)?;
     check_domains(curves)?;

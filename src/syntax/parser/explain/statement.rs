@@ -91,7 +91,7 @@ fn name(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
             lone_expression(place)
         }
         _ => diagnostic.hint(
-            "statements begin with `let`, `param`, `fn`, `point`, `curve`, `surface`, `mesh`, `table`, `check`, `print`, `export`, `import` or `test`",
+            "statements begin with `let`, `param`, `fn`, `point`, `curve`, `surface`, `region`, `face`, `solid`, `mesh`, `table`, `check`, `print`, `export`, `import` or `test`",
         ),
     }
 }

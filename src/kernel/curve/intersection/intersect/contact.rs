@@ -6,6 +6,8 @@
 //! as one of them goes. Nothing is read off parameters, so that another parametrization, place or
 //! size makes no difference.
 
+use std::f64::consts::GOLDEN_RATIO;
+
 use super::{
     meeting::{ContactInterval, CurveIntersection, IntersectionSearch, ReportedIntersection},
     newton::{foot, inside, place},
@@ -48,7 +50,7 @@ impl IntersectionSearch<'_> {
         let start = place(curve, interval.start());
         let away = |t: f64| place(curve, t).distance(start);
         // The ends of a closed curve are one place.
-        interval.steps(EXTENT_SAMPLES).into_iter().map(away).fold(0.0, f64::max)
+        uneven(interval, EXTENT_SAMPLES).map(away).fold(0.0, f64::max)
     }
 
     /// How the distance runs along a stretch.
@@ -169,4 +171,11 @@ impl IntersectionSearch<'_> {
         };
         GeomError::Intersection(IntersectionError::RunTogether { start, end })
     }
+}
+
+/// The ends of an interval and places in it at uneven distances: at even ones a curve that comes back again and
+/// again may always be at the same place.
+pub(super) fn uneven(interval: Interval, n: usize) -> impl Iterator<Item = f64> {
+    let inside = (1..n).map(move |i| interval.at((i as f64 * GOLDEN_RATIO).fract()));
+    [interval.start(), interval.end()].into_iter().chain(inside)
 }

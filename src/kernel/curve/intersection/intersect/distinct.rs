@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::{
+    contact::uneven,
     meeting::{ContactInterval, CurveIntersection, IntersectionSearch, ReportedIntersection},
     newton::{foot, place},
 };
 use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE, work};
 
-/// Cells of an arc at whose ends two curves are compared.
+/// Places of an arc, its ends among them, at which two curves are compared.
 const ARC_CELLS: usize = 16;
 
 /// Tolerances beyond the end of a stretch where a meeting may still be the same one: two curves that
@@ -26,10 +27,16 @@ impl IntersectionSearch<'_> {
             self.meetings.extend(told);
         }
         let mut meetings = std::mem::take(&mut self.meetings);
-        if !self.is_same {
-            for ReportedIntersection { meeting, .. } in &mut meetings {
+        for ReportedIntersection { meeting, stretch } in &mut meetings {
+            // Of one curve the lesser parameter is the first one.
+            if !self.is_same {
                 meeting.first = self.at_seam(self.first, meeting.first);
-                meeting.second = self.at_seam(self.second, meeting.second);
+            }
+            meeting.second = self.at_seam(self.second, meeting.second);
+            if self.is_same && meeting.second < meeting.first {
+                *meeting =
+                    CurveIntersection { first: meeting.second, second: meeting.first, ..*meeting };
+                *stretch = stretch.map(ContactInterval::swapped);
             }
         }
         let order = |a: &CurveIntersection, b: &CurveIntersection| {
@@ -103,8 +110,8 @@ impl IntersectionSearch<'_> {
                 && self.are_beside(self.second, a.meeting.second, b.meeting.second)
     }
 
-    /// Whether between two meetings the first curve stays within the tolerance of the second, over the
-    /// seams too.
+    /// Whether between two meetings both curves stay within the tolerance of one another, over the seams too:
+    /// one that comes through the place again and again goes away between.
     fn stay_together(&self, a: &CurveIntersection, b: &CurveIntersection) -> bool {
         let arcs = |curve: &NurbsCurve, a: f64, b: f64| {
             let (low, high) = (a.min(b), a.max(b));
@@ -114,12 +121,17 @@ impl IntersectionSearch<'_> {
             Interval::new(low, high).ok().into_iter().chain(over_seam.flatten())
         };
         let others: Vec<Interval> = arcs(self.second, a.second, b.second).collect();
-        let is_on = |t: f64, other: Interval| {
-            let p = place(self.first, t);
-            place(self.second, foot(self.second, other, p)).distance(p) <= self.tolerance
+        let is_along = |curve: &NurbsCurve, arc: Interval, along: &NurbsCurve, other: Interval| {
+            uneven(arc, ARC_CELLS).all(|t| {
+                let p = place(curve, t);
+                place(along, foot(along, other, p)).distance(p) <= self.tolerance
+            })
         };
         arcs(self.first, a.first, b.first).any(|arc| {
-            others.iter().any(|&other| arc.steps(ARC_CELLS).into_iter().all(|t| is_on(t, other)))
+            others.iter().any(|&other| {
+                is_along(self.first, arc, self.second, other)
+                    && is_along(self.second, other, self.first, arc)
+            })
         })
     }
 

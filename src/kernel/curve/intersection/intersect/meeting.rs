@@ -48,6 +48,13 @@ pub(super) struct ContactInterval {
     pub(super) second: Interval,
 }
 
+impl ContactInterval {
+    /// The same with the curves exchanged.
+    pub(super) fn swapped(self) -> Self {
+        Self { first: self.second, second: self.first }
+    }
+}
+
 /// The curves in search of each other.
 pub(super) struct IntersectionSearch<'c> {
     pub(super) first: &'c NurbsCurve,
