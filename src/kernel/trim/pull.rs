@@ -213,7 +213,6 @@ impl PulledCurve<'_> {
         let steps = spans.flat_map(|span| self.curve.knots().span_interval(span).steps(PARTS));
         let mut ts: Vec<f64> = steps.collect();
         ts.dedup();
-        let long = JUMP_SHARE * self.plane.bounds().diagonal();
         let least = PARAMETER_RELATIVE * self.curve.domain().length();
         // An end on a seam goes with what is beside it.
         let inner = self.foot(self.curve.domain().at(0.5 / PARTS as f64))?;
@@ -224,14 +223,14 @@ impl PulledCurve<'_> {
         for pair in ts.windows(2) {
             let t = pair[1];
             let mut here = (t, self.place(t, before.1)?);
-            if norm(here.1 - before.1) <= long {
+            if !self.is_jump(before.1, here.1) {
                 before = here;
                 continue;
             }
             let (mut low, mut high) = (before, here);
             for _ in 0..BISECTIONS {
                 let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
-                if norm(high.1 - low.1) <= long || high.0 - low.0 <= rounding {
+                if !self.is_jump(low.1, high.1) || high.0 - low.0 <= rounding {
                     break;
                 }
                 let middle = 0.5 * (low.0 + high.0);
@@ -242,7 +241,7 @@ impl PulledCurve<'_> {
                     high = (middle, place);
                 }
             }
-            if long < norm(high.1 - low.1) {
+            if self.is_jump(low.1, high.1) {
                 // Up to the last digits of a pole either place is as good, so that a jump seen there comes late.
                 let around = [before.0.min(pair[0]), t];
                 let [end, next] = match self.through_pole(low.1, around)? {
@@ -258,9 +257,25 @@ impl PulledCurve<'_> {
         let last = [ts[ts.len() - 2], ts[ts.len() - 1]];
         let end = self.through_pole(before.1, last)?.map_or(before, |both| both[0]);
         sections.push([start, end]);
-        let is_long = |section: &Section| least < section[1].0 - section[0].0;
-        sections.retain(is_long);
-        Ok(sections)
+        // What begins or ends beside a seam leaves a crumb behind it, which is one place.
+        let mut kept = Vec::with_capacity(sections.len());
+        for section in sections {
+            let [from, to] = section.map(|(t, _)| t);
+            if least < to - from {
+                let part = self.curve.trimmed(Interval::new(from, to)?)?;
+                if self.tolerance < part.bounds().diagonal() {
+                    kept.push(section);
+                }
+            }
+        }
+        Ok(kept)
+    }
+
+    /// Whether parameters jump from one place to another, which are neighbours on the curve.
+    pub(super) fn is_jump(&self, from: DVec3, to: DVec3) -> bool {
+        let bounds = self.plane.bounds();
+        let (way, size) = ((to - from).abs(), bounds.max - bounds.min);
+        (0..2).any(|i| JUMP_SHARE * size[i] < way[i])
     }
 
     /// The place on the border of the domain, where it is within the tolerance of that.
@@ -336,7 +351,8 @@ impl PulledCurve<'_> {
         last: DVec3,
     ) -> Result<NurbsCurve, GeomError> {
         // Beside a jump the last digits of a parameter tell where it is.
-        if interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
+        let is_line = norm(last - first) <= PULL_SHARE * self.tolerance;
+        if is_line || interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
             return lagrange(&[first, last], &[interval.start(), interval.end()]);
         }
         let mut ts = vec![interval.start()];
