@@ -244,7 +244,7 @@ impl Region {
                 return Err(PictureError::Outside { index }.into());
             }
             for (other, border) in self.loops.iter().enumerate().skip(1) {
-                let may = index != other && border.bounds_hold(hole);
+                let may = index != other && border.bounds_hold(hole, 0.0);
                 if may && border.holds(hole)? {
                     return Err(PictureError::HoleInHole { index, other }.into());
                 }
@@ -307,10 +307,10 @@ impl PlaneLoop {
         Err(RegionError::Unclear { point: first.unwrap_or(DVec3::ZERO) }.into())
     }
 
-    /// Whether the box of another one is within that of this one.
-    fn bounds_hold(&self, other: &Self) -> bool {
+    /// Whether the box of another one is within that of this one, up to a distance.
+    fn bounds_hold(&self, other: &Self, distance: f64) -> bool {
         let (own, others) = (self.bounds(), other.bounds());
-        own.min.cmple(others.min).all() && others.max.cmple(own.max).all()
+        (own.min - distance).cmple(others.min).all() && others.max.cmple(own.max + distance).all()
     }
 }
 

@@ -37,6 +37,9 @@ const PIECE_BITS: f64 = 64.0;
 /// Last bits of that size that rounding may take of a place where a height vanishes steeply.
 const HEIGHT_BITS: f64 = 8.0;
 
+/// Jumps that may follow one another between two steps: over either seam, and one more.
+const MOST_JUMPS: usize = 3;
+
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
 
@@ -82,6 +85,9 @@ pub(super) fn arcs_on_surface(
     }
     Ok(arcs)
 }
+
+/// A parameter with its place on either side of a jump.
+type Jump = ((f64, DVec3), (f64, DVec3));
 
 /// A stretch between jumps: its ends with their places in the plane.
 type Section = [(f64, DVec3); 2];
@@ -223,34 +229,20 @@ impl PulledCurve<'_> {
         for pair in ts.windows(2) {
             let t = pair[1];
             let mut here = (t, self.place(t, before.1)?);
-            if !self.is_jump(before.1, here.1) {
-                before = here;
-                continue;
-            }
-            let (mut low, mut high) = (before, here);
-            for _ in 0..BISECTIONS {
-                let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
-                if !self.is_jump(low.1, high.1) || high.0 - low.0 <= rounding {
-                    break;
-                }
-                let middle = 0.5 * (low.0 + high.0);
-                let place = self.place(middle, low.1)?;
-                if norm(place - low.1) < norm(place - high.1) {
-                    low = (middle, place);
-                } else {
-                    high = (middle, place);
-                }
-            }
-            if self.is_jump(low.1, high.1) {
+            // Where seams cross one jump comes close behind another.
+            for _ in 0..MOST_JUMPS {
+                let Some((low, high)) = self.jump_between(before, here)? else { break };
                 // Up to the last digits of a pole either place is as good, so that a jump seen there comes late.
-                let around = [before.0.min(pair[0]), t];
-                let [end, next] = match self.through_pole(low.1, around)? {
-                    Some(both) => both,
-                    None => [low, high].map(|(t, place)| (t, self.at_border(place))),
-                };
+                let pole = self.through_pole(low.1, [before.0.min(pair[0]), t])?;
+                let [end, next] = pole
+                    .unwrap_or_else(|| [low, high].map(|(t, place)| (t, self.at_border(place))));
                 sections.push([start, end]);
                 start = next;
+                before = next;
                 here = (t, self.place(t, next.1)?);
+                if pole.is_some() {
+                    break;
+                }
             }
             before = here;
         }
@@ -269,6 +261,28 @@ impl PulledCurve<'_> {
             }
         }
         Ok(kept)
+    }
+
+    /// The places on both sides of a jump between two places; none where there is no jump.
+    fn jump_between(
+        &self,
+        mut low: (f64, DVec3),
+        mut high: (f64, DVec3),
+    ) -> Result<Option<Jump>, GeomError> {
+        for _ in 0..BISECTIONS {
+            let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
+            if !self.is_jump(low.1, high.1) || high.0 - low.0 <= rounding {
+                break;
+            }
+            let middle = 0.5 * (low.0 + high.0);
+            let place = self.place(middle, low.1)?;
+            if norm(place - low.1) < norm(place - high.1) {
+                low = (middle, place);
+            } else {
+                high = (middle, place);
+            }
+        }
+        Ok(self.is_jump(low.1, high.1).then_some((low, high)))
     }
 
     /// Whether parameters jump from one place to another, which are neighbours on the curve.
