@@ -152,7 +152,8 @@ impl Face {
         let mut farthest = 0.0_f64;
         for part in &self.parts {
             let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();
-            for [a, b, c] in part.mesh(chord, distance, u32::MAX as usize)?.corners() {
+            let mesh = part.mesh(chord, distance, u32::MAX as usize).map_err(self.in_space())?;
+            for [a, b, c] in mesh.corners() {
                 // The middles of triangles on both sides may lie in the plane, and so may all of one's corners.
                 for place in [a, b, c, (a + b + c) / 3.0] {
                     let height = (self.plane.point(place) - plane.origin()).dot(plane.z());
