@@ -19,6 +19,7 @@ mod edit;
 mod edit_surface;
 mod evaluator;
 mod face;
+mod face_touching;
 mod face_turned;
 mod fit;
 mod gordon;

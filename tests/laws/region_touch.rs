@@ -1,9 +1,12 @@
-//! Discs that touch, or overlap or miss one another by next to nothing: within the tolerance they touch.
+//! Discs that touch, or overlap or miss one another by next to nothing: within the tolerance they touch; and offsets whose
+//! sides cross next to their ends.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
-use virote_kernel::{CircleForm, Frame, GeomError, NurbsCurve, Region, RegionError, Tolerance};
+use virote_kernel::{
+    CircleForm, CornerStyle, Frame, GeomError, NurbsCurve, Region, RegionError, Tolerance,
+};
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
@@ -90,6 +93,31 @@ fn a_disc_that_touches_another_from_inside_is_whole_or_refused_where_it_comes_ou
                     found => check(found, scale, (1, expected), &case),
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn polygons_of_many_sides_shrink_to_polygons() {
+    for n in [50_u32, 100, 200, 360, 500, 1000] {
+        let angle = TAU / f64::from(n);
+        let corner = |i: u32| {
+            let (y, x) = libm::sincos(f64::from(i % n) * angle);
+            DVec3::new(x, y, 0.0)
+        };
+        let points: Vec<DVec3> = (0..=n).map(corner).collect();
+        let polygon = Region::new(&NurbsCurve::polyline(&points).unwrap(), &[], TOLERANCE).unwrap();
+        for distance in [0.01, 0.1] {
+            let parts = polygon.offset(-distance, CornerStyle::Round, TOLERANCE).unwrap();
+            let [part] = &parts[..] else { panic!("{n}: {} parts", parts.len()) };
+            // A regular polygon of that many sides, at a distance from its middle.
+            let apothem = libm::cos(0.5 * angle) - distance;
+            let wanted = f64::from(n) * apothem * apothem * libm::tan(0.5 * angle);
+            let found = part.area();
+            assert!(
+                (found - wanted).abs() < TOLERANCE.distance,
+                "{n}, {distance}: {found} for {wanted}"
+            );
         }
     }
 }

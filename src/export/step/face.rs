@@ -4,8 +4,9 @@ use glam::DVec3;
 
 use super::{
     super::{Item, Job, exact::FaceLoops},
+    bound::{LoopStep, bounds},
     entity::{Id, Records},
-    shape::{BorderEdges, bound, carrier, face, oriented, shell},
+    shape::{BorderEdges, carrier, face, shell},
 };
 use crate::kernel::{FaceEdge, NurbsCurve, NurbsSurface, Tolerance};
 
@@ -25,17 +26,13 @@ pub(super) fn model(
     let mut border = FaceBorder { edges, known: Vec::new() };
     let mut faces = Vec::with_capacity(parts.len());
     for loops in parts {
-        let mut bounds = Vec::with_capacity(loops.len());
+        let mut steps = Vec::with_capacity(loops.len());
         for edges in loops {
-            let ids: Vec<Id> = edges
-                .iter()
-                .filter_map(|edge: &FaceEdge| edge.curve.as_ref())
-                .map(|curve| border.oriented(curve, file))
-                .collect();
-            if !ids.is_empty() {
-                bounds.push(bound(bounds.is_empty(), &ids, file));
-            }
+            let curves = edges.iter().filter_map(|edge: &FaceEdge| edge.curve.as_ref());
+            let of_loop: Vec<LoopStep> = curves.map(|curve| border.step(curve, file)).collect();
+            steps.push(of_loop);
         }
+        let bounds = bounds(&steps, &carrier, file);
         faces.push(face(&item.name, &bounds, &carrier, file));
     }
     (shell(&item.name, &faces, file), faces)
@@ -45,25 +42,26 @@ pub(super) fn model(
 struct FaceBorder {
     edges: BorderEdges,
     /// Where each begins, has its middle and ends.
-    known: Vec<([DVec3; 3], Id)>,
+    known: Vec<([DVec3; 3], LoopStep)>,
 }
 
 impl FaceBorder {
     /// An edge along a curve, or back along one that is known.
-    fn oriented(&mut self, curve: &NurbsCurve, file: &mut Records) -> Id {
+    fn step(&mut self, curve: &NurbsCurve, file: &mut Records) -> LoopStep {
         let domain = curve.domain();
         let places = [0.0, 0.5, 1.0].map(|at| curve.point_at(domain.at(at)));
         let same = 2.0 * self.edges.same;
         let are_same =
             |a: [DVec3; 3], b: [DVec3; 3]| a.iter().zip(b).all(|(a, b)| a.distance(b) <= same);
         let [start, middle, end] = places;
-        for &(other, id) in &self.known {
+        for &(other, LoopStep { edge, ends: [from, to], .. }) in &self.known {
             if are_same(other, [end, middle, start]) {
-                return oriented(id, false, file);
+                return LoopStep { edge, is_along: false, ends: [to, from] };
             }
         }
-        let id = self.edges.edge(curve, file);
-        self.known.push((places, id));
-        oriented(id, true, file)
+        let (edge, ends) = self.edges.edge(curve, file);
+        let step = LoopStep { edge, is_along: true, ends };
+        self.known.push((places, step));
+        step
     }
 }

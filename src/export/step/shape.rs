@@ -138,6 +138,7 @@ pub(super) struct Carrier {
     /// Whether its normal is that of the parametrization.
     is_outward: bool,
     is_flat: bool,
+    pub(super) is_sphere: bool,
 }
 
 /// A surface without borders: by its equation where it has one.
@@ -152,10 +153,16 @@ pub(super) fn carrier(
             id: form::surface(name, &found, file),
             is_outward: found.is_outward,
             is_flat: found.form == AnalyticForm::Plane,
+            is_sphere: matches!(found.form, AnalyticForm::Sphere { .. }),
         },
         None => {
             let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
-            Carrier { id: surface(name, geometry, closed, file), is_outward: true, is_flat: false }
+            Carrier {
+                id: surface(name, geometry, closed, file),
+                is_outward: true,
+                is_flat: false,
+                is_sphere: false,
+            }
         }
     }
 }
@@ -222,15 +229,15 @@ impl FaceBound {
 
     /// The edge along a line; none along a point.
     fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Option<Id> {
-        (self.edges.same < line.bounds().diagonal()).then(|| self.edges.edge(line, file))
+        (self.edges.same < line.bounds().diagonal()).then(|| self.edges.edge(line, file).0)
     }
 }
 
 impl BorderEdges {
-    /// The edge along a line.
-    pub(super) fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Id {
+    /// The edge along a line, and the vertices where it starts and ends.
+    pub(super) fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> (Id, [Id; 2]) {
         let ends = [line.start(), line.end()].map(|end| self.vertex(end, file));
-        edge_curve(line, ends, file)
+        (edge_curve(line, ends, file), ends)
     }
 
     fn vertex(&mut self, at: DVec3, file: &mut Records) -> Id {

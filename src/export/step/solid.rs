@@ -5,8 +5,9 @@ use super::{
         ExportError, Item, Job,
         exact::{ExactSolid, exact_solid},
     },
+    bound::{LoopStep, bounds},
     entity::{Id, Records},
-    shape::{bound, carrier, edge_curve, face, oriented, vertex},
+    shape::{carrier, edge_curve, face, vertex},
 };
 use crate::kernel::{Solid, Tolerance};
 
@@ -30,13 +31,14 @@ pub(super) fn models(
         let carrier = carrier(&item.name, surface, same, file);
         let mut of_face = Vec::with_capacity(parts.len());
         for loops in parts {
-            let mut bounds = Vec::with_capacity(loops.len());
-            for steps in loops {
-                let steps = steps.iter();
-                let ids: Vec<Id> =
-                    steps.map(|&(edge, is_along)| oriented(edges[edge], is_along, file)).collect();
-                bounds.push(bound(bounds.is_empty(), &ids, file));
-            }
+            let step = |&(edge, is_along): &(usize, bool)| {
+                let [from, to] = topology.edges[edge].vertices.map(|i| vertices[i]);
+                let ends = if is_along { [from, to] } else { [to, from] };
+                LoopStep { edge: edges[edge], is_along, ends }
+            };
+            let steps = loops.iter().map(|steps| steps.iter().map(step).collect());
+            let steps: Vec<Vec<LoopStep>> = steps.collect();
+            let bounds = bounds(&steps, &carrier, file);
             of_face.push(face(&item.name, &bounds, &carrier, file));
         }
         faces.push(of_face);

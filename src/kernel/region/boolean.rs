@@ -157,7 +157,7 @@ pub(super) fn sorted(
     for hole in holes {
         let mut around = None;
         for (i, part) in parts.iter().enumerate().rev() {
-            if part[0].bounds_hold(&hole) && part[0].holds(&hole)? {
+            if part[0].bounds_hold(&hole, 0.0) && part[0].holds(&hole)? {
                 around = Some(i);
                 break;
             }

@@ -13,6 +13,15 @@ pub(crate) struct PlaneCell {
     pub(crate) steps: Vec<OrientedEdge>,
 }
 
+impl PlaneCell {
+    /// The edges around it, in the order of their numbers.
+    fn edges(&self) -> Vec<usize> {
+        let mut edges: Vec<usize> = self.steps.iter().map(|&(edge, _)| edge).collect();
+        edges.sort_unstable();
+        edges
+    }
+}
+
 /// The bounded parts into which the edges divide the plane z = 0, in the order in which they are found;
 /// no edge may be loose.
 ///
@@ -35,12 +44,17 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
             holes.push((component, border, steps));
         }
     }
+    let outer_edges: Vec<Vec<usize>> = parts.iter().map(|(.., part)| part.edges()).collect();
     for (component, hole, steps) in holes {
         let mut around: Option<usize> = None;
         for (i, (area, own, part)) in parts.iter().enumerate() {
             let is_smaller = around.is_none_or(|best| *area < parts[best].0);
             let outer = &part.region.loops[0];
-            if *own != component && is_smaller && outer.bounds_hold(&hole) && outer.holds(&hole)? {
+            // What hangs on a part in vertices alone may be a hole of it; along an edge they are neighbours.
+            let is_beside =
+                || steps.iter().any(|(edge, _)| outer_edges[i].binary_search(edge).is_ok());
+            let may = is_smaller && outer.bounds_hold(&hole, distance);
+            if may && !(*own == component && is_beside()) && outer.holds(&hole)? {
                 around = Some(i);
             }
         }

@@ -244,7 +244,7 @@ impl Region {
                 return Err(PictureError::Outside { index }.into());
             }
             for (other, border) in self.loops.iter().enumerate().skip(1) {
-                let may = index != other && border.bounds_hold(hole);
+                let may = index != other && border.bounds_hold(hole, 0.0);
                 if may && border.holds(hole)? {
                     return Err(PictureError::HoleInHole { index, other }.into());
                 }
@@ -297,20 +297,27 @@ impl PlaneLoop {
             let domain = arc.domain();
             [0.5, 0.25, 0.75].map(|fraction| arc.point_at(domain.at(fraction)))
         });
-        let mut first = None;
+        // Where they touch in a point rounding may tell either; two places more tell what holds.
+        let (mut first, mut lead) = (None, 0_i32);
         for place in places {
             first.get_or_insert(place);
             if let Some(winding) = winding_about(own(), place) {
-                return Ok(winding != 0);
+                lead += if winding == 0 { -1 } else { 1 };
             }
+            if 1 < lead.abs() {
+                break;
+            }
+        }
+        if lead != 0 {
+            return Ok(0 < lead);
         }
         Err(RegionError::Unclear { point: first.unwrap_or(DVec3::ZERO) }.into())
     }
 
-    /// Whether the box of another one is within that of this one.
-    fn bounds_hold(&self, other: &Self) -> bool {
+    /// Whether the box of another one is within that of this one, up to a distance.
+    fn bounds_hold(&self, other: &Self, distance: f64) -> bool {
         let (own, others) = (self.bounds(), other.bounds());
-        own.min.cmple(others.min).all() && others.max.cmple(own.max).all()
+        (own.min - distance).cmple(others.min).all() && others.max.cmple(own.max + distance).all()
     }
 }
 

@@ -103,12 +103,18 @@ impl Region {
                 norm(off) < least && arc.closest(point, near).distance < least
             })
         };
+        // At hollow corners the offsets of both sides go on behind their crossing, and end there.
+        let mut n_ends = vec![0_usize; arrangement.vertices.len()];
+        arrangement.edges.iter().flat_map(|edge| edge.ends).for_each(|end| n_ends[end] += 1);
         let sides = arrangement.edges.iter().map(|edge| {
-            let is_border = LOOKS.into_iter().all(|fraction| {
-                let point = edge.curve.point_at(edge.curve.domain().at(fraction));
-                let own = corners[edge.arc].map_or(distance.abs(), |corner| norm(point - corner));
-                !is_near(point, own.min(distance.abs()) - SLACK * near)
-            });
+            let is_loose = edge.ends.iter().any(|&end| n_ends[end] < 2);
+            let is_border = !is_loose
+                && LOOKS.into_iter().all(|fraction| {
+                    let point = edge.curve.point_at(edge.curve.domain().at(fraction));
+                    let own =
+                        corners[edge.arc].map_or(distance.abs(), |corner| norm(point - corner));
+                    !is_near(point, own.min(distance.abs()) - SLACK * near)
+                });
             let runs_along = edge.passes.iter().all(|&(_, passes)| 0 < passes);
             let side = if runs_along { arrange::EdgeSide::Left } else { arrange::EdgeSide::Right };
             is_border.then_some(side)

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Face, plane::ParameterPlane};
+use super::{Face, FaceError, plane::ParameterPlane};
 use crate::{
     GeomError, NurbsCurve, Region,
     arrange::{Apart, Arrangement, RaySearch, Ring},
@@ -30,9 +30,26 @@ struct EdgeCells {
     right: Option<usize>,
 }
 
+/// Fails where the parts of a face do not come to all of it, in its plane of parameters.
+fn check_sum(face: &Face, cells: &[PlaneCell], tolerance: f64) -> Result<(), GeomError> {
+    let sum = |regions: &mut dyn Iterator<Item = &Region>| {
+        regions.fold([0.0; 2], |[area, length], region| {
+            [area + region.area(), length + region.length()]
+        })
+    };
+    let [whole, border] = sum(&mut face.parts.iter());
+    let [parts, cut] = sum(&mut cells.iter().map(|cell| &cell.region));
+    let (excess, allowed) = (parts - whole, tolerance * (border + cut));
+    match excess.abs() <= allowed {
+        true => Ok(()),
+        false => Err(FaceError::PartsMissArea { excess: excess / whole }.into()),
+    }
+}
+
 impl Division {
     /// # Errors
-    /// Those of an arrangement; [`crate::RegionError::Unclear`], [`crate::RegionError::Thin`].
+    /// Those of an arrangement; [`crate::RegionError::Unclear`], [`crate::RegionError::Thin`];
+    /// [`FaceError::PartsMissArea`].
     pub(super) fn of(
         face: &Face,
         arcs: &[NurbsCurve],
@@ -67,6 +84,7 @@ impl Division {
             }
         }
         drop(search);
+        check_sum(face, &inside, tolerance)?;
         let parts = (0..inside.len()).collect();
         let mut division = Self { arrangement, cells: inside, parts, loose };
         division.join_over_seams(&face.plane, tolerance);
@@ -152,6 +170,16 @@ impl Division {
             let mut arcs =
                 edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
             is_border_of_cell(&cells) && arcs.any(&is_of)
+        })
+    }
+
+    /// Whether any of some arcs has two parts beside it, or one on one side alone.
+    pub(super) fn has_between(&self, is_of: impl Fn(usize) -> bool) -> bool {
+        let part_of = |cell: Option<usize>| cell.map(|cell| self.root(cell));
+        self.arrangement.edges.iter().zip(self.beside()).any(|(edge, cells)| {
+            let mut arcs =
+                edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
+            part_of(cells.left) != part_of(cells.right) && arcs.any(&is_of)
         })
     }
 

@@ -85,6 +85,12 @@ pub enum FaceError {
     /// A border that comes back to itself.
     #[error("the border touches itself at {}", place(*point))]
     TouchesItself { point: DVec3 },
+    /// Parts that are not all of the face.
+    #[error(
+        "the parts of the face could not be proven: their parameters miss those of the whole by a fraction of {}",
+        few_digits(*excess)
+    )]
+    PartsMissArea { excess: f64 },
     /// A place on a cut.
     #[error("{} lies on a cut: it tells no part of the face", place(*point))]
     OnCut { point: DVec3 },

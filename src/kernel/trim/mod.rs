@@ -27,6 +27,7 @@ mod mesh;
 mod plane;
 mod pole;
 mod pull;
+mod seam;
 mod shell;
 mod split;
 mod strip;

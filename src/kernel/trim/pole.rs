@@ -6,7 +6,7 @@ use super::pull::PulledCurve;
 use crate::{
     GeomError, Interval,
     frame::norm,
-    tolerance::{JUMP_SHARE, PARAMETER_RELATIVE, POLE_STEP},
+    tolerance::{PARAMETER_RELATIVE, POLE_STEP},
 };
 
 /// Fractions of an edge of the domain at which it is asked whether it is a point.
@@ -38,7 +38,6 @@ impl PulledCurve<'_> {
         let part = self.curve.trimmed(Interval::new(from, to)?)?;
         let t = part.closest(point, self.accuracy).parameter;
         // Parameters along the pole are those that they tend to.
-        let long = JUMP_SHARE * bounds.diagonal();
         let beside = |end: f64| -> Result<(f64, DVec3), GeomError> {
             let mut places = [pole; 3];
             let mut near = self.place(t + 3.0 * POLE_STEP * (end - t), pole)?;
@@ -47,7 +46,7 @@ impl PulledCurve<'_> {
                 *place = near;
             }
             let [a, b, c] = places;
-            let mut place = if norm(a - c) <= long { (a - b) * 3.0 + c } else { a };
+            let mut place = if self.is_jump(c, a) { a } else { (a - b) * 3.0 + c };
             place[across] = pole[across];
             Ok((t, place.clamp(bounds.min, bounds.max)))
         };

@@ -12,13 +12,12 @@ use glam::DVec3;
 use super::{FaceError, plane::ParameterPlane};
 use crate::{
     FitError, GeomError, Interval, NurbsCurve,
-    ceiling::{BISECTIONS, PARAMETER_HALVINGS},
+    ceiling::PARAMETER_HALVINGS,
     curve::join,
     frame::norm,
     lagrange,
     tolerance::{
-        JUMP_SHARE, LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, SLOWEST_SHARE,
-        STRAIGHT_REACH,
+        LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, SLOWEST_SHARE, STRAIGHT_REACH,
     },
 };
 
@@ -37,6 +36,9 @@ const PIECE_BITS: f64 = 64.0;
 /// Last bits of that size that rounding may take of a place where a height vanishes steeply.
 const HEIGHT_BITS: f64 = 8.0;
 
+/// Jumps that may follow one another between two steps: over either seam, and one more.
+const MOST_JUMPS: usize = 3;
+
 /// Where a piece is compared between the points that it goes through.
 const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
 
@@ -53,7 +55,7 @@ pub(super) struct PulledCurve<'a> {
     height: Option<&'a Height<'a>>,
     what: &'static str,
     index: usize,
-    tolerance: f64,
+    pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
 }
@@ -84,7 +86,7 @@ pub(super) fn arcs_on_surface(
 }
 
 /// A stretch between jumps: its ends with their places in the plane.
-type Section = [(f64, DVec3); 2];
+pub(super) type Section = [(f64, DVec3); 2];
 
 impl PulledCurve<'_> {
     /// The place in the plane of the nearest point of the surface.
@@ -125,25 +127,14 @@ impl PulledCurve<'_> {
     }
 
     /// The same, and how far rounding may move it.
-    fn place_and_rounding(&self, t: f64, near: DVec3) -> Result<(DVec3, f64), GeomError> {
-        let mut place = self.foot_beside(t, near)?;
-        let bounds = self.plane.bounds();
-        for i in 0..2 {
-            let (low, high) = (bounds.min[i], bounds.max[i]);
-            // The foot of what is on a seam may be at either end; what is beside it is not.
-            let slack = self.accuracy;
-            let other = if place[i] - low <= slack {
-                high
-            } else if high - place[i] <= slack {
-                low
-            } else {
-                continue;
-            };
-            if self.plane.is_closed[i] && 0.5 * (high - low) < (place[i] - near[i]).abs() {
-                place[i] = other;
-            }
-        }
-        let (mut place, rounding) = self.improved(t, place);
+    pub(super) fn place_and_rounding(
+        &self,
+        t: f64,
+        near: DVec3,
+    ) -> Result<(DVec3, f64), GeomError> {
+        let place = self.on_side_of(self.foot_beside(t, near)?, near);
+        let (place, rounding) = self.improved(t, place);
+        let mut place = self.on_side_of(place, near);
         // At a pole any parameter along it is as good as another: that of what is beside it is taken.
         let point = self.plane.point(place);
         for i in 0..2 {
@@ -213,7 +204,6 @@ impl PulledCurve<'_> {
         let steps = spans.flat_map(|span| self.curve.knots().span_interval(span).steps(PARTS));
         let mut ts: Vec<f64> = steps.collect();
         ts.dedup();
-        let long = JUMP_SHARE * self.plane.bounds().diagonal();
         let least = PARAMETER_RELATIVE * self.curve.domain().length();
         // An end on a seam goes with what is beside it.
         let inner = self.foot(self.curve.domain().at(0.5 / PARTS as f64))?;
@@ -221,59 +211,58 @@ impl PulledCurve<'_> {
         let mut start = self.through_pole(first, [ts[0], ts[1]])?.map_or((ts[0], first), |p| p[1]);
         let mut before = start;
         let mut sections = Vec::new();
-        for pair in ts.windows(2) {
-            let t = pair[1];
+        let mut todo = ts.clone();
+        todo.reverse();
+        todo.pop();
+        while let Some(t) = todo.pop() {
             let mut here = (t, self.place(t, before.1)?);
-            if norm(here.1 - before.1) <= long {
-                before = here;
+            if let Some(&next) = todo.last()
+                && let Some((on_seam, depth)) = self.on_seam_beside(here.1, before.1)
+                && depth <= self.tolerance
+                && !self.is_jump(on_seam, self.place(next, on_seam)?)
+            {
+                here.1 = on_seam;
+            } else if !self.is_jump(before.1, here.1)
+                && let Some(dip) = self.dip_between(before, here)?
+            {
+                todo.push(t);
+                todo.push(dip);
                 continue;
             }
-            let (mut low, mut high) = (before, here);
-            for _ in 0..BISECTIONS {
-                let rounding = 2.0 * LAST_BIT * high.0.abs().max(low.0.abs());
-                if norm(high.1 - low.1) <= long || high.0 - low.0 <= rounding {
-                    break;
-                }
-                let middle = 0.5 * (low.0 + high.0);
-                let place = self.place(middle, low.1)?;
-                if norm(place - low.1) < norm(place - high.1) {
-                    low = (middle, place);
-                } else {
-                    high = (middle, place);
-                }
-            }
-            if long < norm(high.1 - low.1) {
+            let from = before.0;
+            // Where seams cross one jump comes close behind another.
+            for _ in 0..MOST_JUMPS {
+                let Some((low, high)) = self.jump_between(before, here)? else { break };
                 // Up to the last digits of a pole either place is as good, so that a jump seen there comes late.
-                let around = [before.0.min(pair[0]), t];
-                let [end, next] = match self.through_pole(low.1, around)? {
-                    Some(both) => both,
-                    None => [low, high].map(|(t, place)| (t, self.at_border(place))),
-                };
+                let pole = self.through_pole(low.1, [from, t])?;
+                let [end, next] = pole
+                    .unwrap_or_else(|| [low, high].map(|(t, place)| (t, self.at_border(place))));
                 sections.push([start, end]);
                 start = next;
+                before = next;
                 here = (t, self.place(t, next.1)?);
+                if pole.is_some() {
+                    break;
+                }
             }
             before = here;
         }
         let last = [ts[ts.len() - 2], ts[ts.len() - 1]];
         let end = self.through_pole(before.1, last)?.map_or(before, |both| both[0]);
         sections.push([start, end]);
-        let is_long = |section: &Section| least < section[1].0 - section[0].0;
-        sections.retain(is_long);
-        Ok(sections)
-    }
-
-    /// The place on the border of the domain, where it is within the tolerance of that.
-    pub(super) fn at_border(&self, mut place: DVec3) -> DVec3 {
-        let bounds = self.plane.bounds();
-        for i in 0..2 {
-            for end in [bounds.min[i], bounds.max[i]] {
-                if (place[i] - end).abs() <= self.tolerance {
-                    place[i] = end;
+        // What begins or ends beside a seam leaves a crumb behind it, which is one place.
+        let mut kept = Vec::with_capacity(sections.len());
+        for section in sections {
+            let [from, to] = section.map(|(t, _)| t);
+            if least < to - from {
+                let part = self.curve.trimmed(Interval::new(from, to)?)?;
+                if self.tolerance < part.bounds().diagonal() {
+                    self.check_beyond_seam(section)?;
+                    kept.push(section);
                 }
             }
         }
-        place
+        Ok(kept)
     }
 
     /// The arc along a stretch.
@@ -285,7 +274,7 @@ impl PulledCurve<'_> {
         for t in self.curve.knots().breaks() {
             let (last, place) = stops[stops.len() - 1];
             if last + slack < t && t < end.0 - slack {
-                stops.push((t, self.place(t, place)?));
+                stops.push((t, self.place_between(t, place)?.0));
             }
         }
         stops.push(end);
@@ -299,7 +288,7 @@ impl PulledCurve<'_> {
             let is_near = |&fraction: &f64| -> Result<bool, GeomError> {
                 let t = interval.at(fraction);
                 let fitted = piece.point_at(t);
-                let (place, rounding) = self.place_and_rounding(t, fitted)?;
+                let (place, rounding) = self.place_between(t, fitted)?;
                 let apart = norm(self.plane.point(place) - self.plane.point(fitted));
                 Ok(apart <= self.accuracy.max(rounding))
             };
@@ -318,7 +307,7 @@ impl PulledCurve<'_> {
                 return Err(FitError::NoSplineNear { tolerance, parameter }.into());
             } else {
                 let [before, behind] = interval.halves();
-                let middle = self.place(before.end(), first.lerp(last, 0.5))?;
+                let middle = self.place_between(before.end(), first.lerp(last, 0.5))?.0;
                 todo.push((behind, middle, last, n_halvings + 1));
                 todo.push((before, first, middle, n_halvings + 1));
             }
@@ -336,7 +325,8 @@ impl PulledCurve<'_> {
         last: DVec3,
     ) -> Result<NurbsCurve, GeomError> {
         // Beside a jump the last digits of a parameter tell where it is.
-        if interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
+        let is_line = norm(last - first) <= PULL_SHARE * self.tolerance;
+        if is_line || interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
             return lagrange(&[first, last], &[interval.start(), interval.end()]);
         }
         let mut ts = vec![interval.start()];
@@ -345,7 +335,7 @@ impl PulledCurve<'_> {
             let fraction = 0.5 * (1.0 - libm::cos(PI * i as f64 / DEGREE as f64));
             let t = interval.at(fraction);
             ts.push(t);
-            places.push(self.place(t, first.lerp(last, fraction))?);
+            places.push(self.place_between(t, first.lerp(last, fraction))?.0);
         }
         ts.push(interval.end());
         places.push(last);

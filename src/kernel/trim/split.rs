@@ -152,7 +152,8 @@ impl Face {
         let mut farthest = 0.0_f64;
         for part in &self.parts {
             let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();
-            for [a, b, c] in part.mesh(chord, distance, u32::MAX as usize)?.corners() {
+            let mesh = part.mesh(chord, distance, u32::MAX as usize).map_err(self.in_space())?;
+            for [a, b, c] in mesh.corners() {
                 // The middles of triangles on both sides may lie in the plane, and so may all of one's corners.
                 for place in [a, b, c, (a + b + c) / 3.0] {
                     let height = (self.plane.point(place) - plane.origin()).dot(plane.z());
@@ -182,7 +183,8 @@ impl Face {
         }
         let division = Division::of(self, &arcs, distance, 1).map_err(self.in_space())?;
         for index in 0..cutters.len() {
-            if division.has_along(|arc| cutter_of[arc] == index) {
+            let is_its = |arc: usize| cutter_of[arc] == index;
+            if division.has_between(is_its) {
                 continue;
             }
             // What runs over the rest of the surface alone does not meet the face.
@@ -190,9 +192,11 @@ impl Face {
                 let parameters = self.plane.parameters(place);
                 self.side_of_parameters(parameters, distance) != RegionSide::Outside
             };
-            let mut ends = division.loose.iter().filter(|&&(arc, _)| cutter_of[arc] == index);
+            let mut ends = division.loose.iter().filter(|&&(arc, _)| is_its(arc));
             return Err(match ends.find(|&&(_, end)| is_within(end)) {
                 Some(&(_, end)) => FaceError::EndsInside { point: self.plane.point(end) }.into(),
+                // What runs around a ring opens it, but leaves it one part.
+                None if division.has_along(is_its) => continue,
                 None => FaceError::Misses { index }.into(),
             });
         }

@@ -59,6 +59,7 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::OneSided { .. } => Code::OpenShell,
         FaceError::Narrow { .. } => Code::WithinTolerance,
         FaceError::TouchesItself { .. } => Code::NotManifold,
+        FaceError::PartsMissArea { .. } => Code::Unproven,
         FaceError::Open { .. }
         | FaceError::BothSides { .. }
         | FaceError::EndsInside { .. }

@@ -32,6 +32,7 @@ pub(super) fn of_face(error: &FaceError) -> String {
             "leave out the faces that do not belong to the border"
         }
         FaceError::Narrow { .. } => "state a smaller `tolerance` at the top of the script",
+        FaceError::PartsMissArea { .. } => "please report it; moving a cutter a little may help",
         FaceError::TouchesItself { .. } => {
             "part the region there, or keep its holes apart by more than the tolerance"
         }

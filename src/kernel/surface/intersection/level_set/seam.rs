@@ -64,6 +64,14 @@ impl EdgeOverlap {
         })
     }
 
+    /// Whether neither surface ends there, as both close.
+    pub(super) fn is_inside_both(&self, surfaces: [&NurbsSurface; 2], distance: f64) -> bool {
+        surfaces.into_iter().zip(self.edges).all(|(surface, edge)| match edge.place().0 {
+            Direction::U => surface.is_closed_u(distance),
+            Direction::V => surface.is_closed_v(distance),
+        })
+    }
+
     /// Whether parts of both surfaces are beside it.
     pub(super) fn is_beside(&self, a: &SurfacePart, b: &SurfacePart) -> bool {
         [a, b].into_iter().zip(self.edges.into_iter().zip(self.ends)).all(|(part, (edge, end))| {

@@ -62,20 +62,31 @@ impl Surface {
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, magnitude)?;
-        let first = shared([Arc::clone(&a), Arc::clone(&b)], tolerance, size);
-        if verify::is_certain(&first, tolerance) {
-            return first;
-        }
-        let mut best = first;
-        for surfaces in with_seams_elsewhere(&[a, b], CONTACT_SHARE * tolerance) {
+        let surfaces = [a, b];
+        let elsewhere = with_seams_elsewhere(&surfaces, CONTACT_SHARE * tolerance);
+        // What both have along a seam of both is no edge of either.
+        let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], tolerance)?)
+            .then(|| Ok(surfaces.clone()));
+        let mut best: Option<Result<LevelSet, GeomError>> = None;
+        for surfaces in as_given.into_iter().chain(elsewhere) {
             let found = shared(surfaces?, tolerance, size);
             if verify::is_certain(&found, tolerance) {
                 return found;
             }
-            best = best.or_else(|refused| found.map_err(|_| refused));
+            best = Some(match best {
+                Some(best) => best.or_else(|refused| found.map_err(|_| refused)),
+                None => found,
+            });
         }
-        best
+        best.unwrap_or_else(|| shared(surfaces.clone(), tolerance, size))
     }
+}
+
+/// Whether surfaces that share no area about it have a seam in common.
+fn have_seam_in_common(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Result<bool, GeomError> {
+    let common = EdgeOverlap::all(surfaces, tolerance)?;
+    Ok(common.iter().all(|edge| edge.overlap(surfaces, tolerance).is_none())
+        && common.iter().any(|edge| edge.is_inside_both(surfaces, tolerance)))
 }
 
 /// What two surfaces share that are no functions.
