@@ -137,7 +137,8 @@ impl Type {
     pub fn is_list_of(self, value: &Value) -> bool {
         match self {
             Self::List(Self::Any, _) => {
-                !matches!(value, Value::Function(_) | Value::List(_) | Value::Range(_))
+                let is_whole = matches!(value, Value::Table(_) | Value::Record(_));
+                !is_whole && !matches!(value, Value::Function(_) | Value::List(_) | Value::Range(_))
             }
             Self::List(of, _) => of.accepts(value),
             Self::Grid(of) => Self::List(of, 0).accepts(value),
