@@ -63,6 +63,10 @@ pub struct Limits {
     pub diagnostics: usize,
 }
 
+/// Findings of one document that an editor is told; the last one counts those behind it. Thousands take seconds to
+/// send, during which nothing else is answered, and nobody reads them.
+pub const MOST_FINDINGS: usize = 1_000;
+
 impl Limits {
     /// The documented defaults.
     pub const DEFAULT: Self = Self {

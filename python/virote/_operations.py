@@ -749,7 +749,7 @@ def cbrt(x: Quantity) -> float:
 def ceil(x: Quantity) -> float:
     """The smallest whole number that is not below `x`.
 
-    :param x: A number of any dimension.
+    :param x: A number that is no angle.
 
     In scripts: ``ceil(x: number) -> number``
     """
@@ -2061,7 +2061,7 @@ def flip(*args: Any, s: Any = None, f: Any = None) -> Any:
 def floor(x: Quantity) -> float:
     """The largest whole number that is not above `x`.
 
-    :param x: A number of any dimension.
+    :param x: A number that is no angle.
 
     In scripts: ``floor(x: number) -> number``
     """
@@ -2341,7 +2341,7 @@ def inertia(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = N
 
     `tensor` is the matrix of three rows about axes through the centroid, with density one;
     `moments` are its principal values in ascending order, and `axes` their directions, which are
-    unit vectors and right-handed. Of the volume the surfaces must close, as for `volume`.
+    unit vectors and right-handed. Derivatives pass through. Of the volume the surfaces must close, as for `volume`.
     Mirtich, *Fast and accurate computation of polyhedral mass properties*, JGT 1 (1996).
     :param s: The surface, or a list of surfaces.
     :param of: What is heavy: the inside or the skin. Default: ``"volume"``.
@@ -2415,12 +2415,15 @@ def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, 
     It is known to thirteen digits of the integral of the function's size, or within `tolerance`; over boxes
     and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
     where the border of a face is known within a tolerance, so is the integral. Kinks and jumps are found, and the
-    range is cut there; what none of the places that are asked shows is not seen, such as a peak between them. Ends
-    of ranges and borders are never asked for, so that a function may grow without bound there; an integral that has
-    no finite value, or does not settle, is refused with the place.
+    range is cut there. What none of the places that are asked shows is not seen: of a smooth function these are 28, some
+    twentieth of the range apart, and nearer to its ends, so that a peak narrower than a tenth may lie between them; add
+    up the integrals on both sides of its top. Ends of ranges and borders are never asked for, so that a function
+    may grow without bound there: at 0 to all digits, elsewhere as near as numbers are apart, which a `tolerance` of
+    1e-6 allows for. An integral that has no finite value, or does not settle, is refused with the place.
 
     Over a range whose end lies before its start it is the negative, over one of no length 0. Derivatives pass
-    through: that of an integral is the integral of the derivative, and by an end of the range the function there.
+    through: that of an integral is the integral of the derivative, by an end of the range the function there, and
+    by a place at which the function jumps, the jump.
     Piessens et al., *QUADPACK*, §2.2.1.
 
     :param f: A function that yields a number or a point: of a number over a range, of as many as there are ranges over a box, of a point over a curve or an area.
@@ -3171,7 +3174,8 @@ def ode(f: FunctionLike, start: Any, range: tuple[Quantity, Quantity], *, tolera
     errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
     `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. Where the point
     grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
-    the place. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
+    the place. Derivatives pass through, by what the function and the start depend on, within the tolerance.
+    Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
 
     :param f: A function of the variable and the point, or the list of points, that yields the derivative.
     :param start: Where the point is at the start of the range, or a list of points.
@@ -3835,7 +3839,7 @@ def round_(x: Quantity, digits: float | None = None) -> float:
 
     A quantity is rounded in document units; `round(x / 1in) * 1in` rounds in others.
 
-    :param x: A number of any dimension.
+    :param x: A number that is no angle.
     :param digits: Digits behind the point; where negative, tens, hundreds and so on.
 
     In scripts: ``round(x: number, digits: integer = none) -> number``

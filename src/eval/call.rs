@@ -9,6 +9,7 @@ use super::{
     globals::Globals,
     ir::{CallExpr, Expr},
     machine::Machine,
+    number_call::{numbers_with_derivatives, on_few_numbers, switch},
     parametric::gone,
     relative_files::RelativeFiles,
 };
@@ -180,6 +181,9 @@ impl Machine<'_> {
     }
 
     fn builtin(&mut self, name: &str, ops: &[&'static Op], call: Call) -> Result<Value> {
+        if let Some(value) = on_few_numbers(ops, &call) {
+            return Ok(value);
+        }
         let first_name = ops.first().and_then(|op| op.params.first()).map(|param| param.name);
         let first = call.positional.first().or_else(|| {
             call.named
@@ -190,6 +194,7 @@ impl Machine<'_> {
         let op = choose(ops, first.map(|first| &first.value), &call)
             .map_err(|what| Box::new(no_way_to_call(name, ops, first, &what, &call)))?;
         let (env, span) = (self.env, call.span);
+        let asked = self.switches.is_some().then(|| numbers_with_derivatives(&call));
         let meter = self.meter();
         let watch = self.watch();
         let home = Arc::clone(&self.home);
@@ -219,6 +224,9 @@ impl Machine<'_> {
         match (done.end, value) {
             (None, value) => {
                 let value = finite(value?, name, span)?;
+                if let (Some(asked), Some(noted)) = (asked, &mut self.switches) {
+                    noted.extend(switch(&asked, &value, span));
+                }
                 self.passes(made_parts(&value), span)?;
                 Ok(value)
             }

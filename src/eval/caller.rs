@@ -10,7 +10,7 @@ use super::{
 use crate::{
     diag::{Diagnostic, Result, Span},
     kernel::{CurveFunction, SurfaceFunction},
-    value::{Bounded, Caller, Comparison, Value, Witness},
+    value::{Bounded, Caller, Comparison, Switch, Value, Witness},
 };
 
 impl Caller for Machine<'_> {
@@ -45,6 +45,10 @@ impl Caller for Machine<'_> {
 
     fn decided(&mut self, span: Span, witness: Witness) {
         self.witness = Some((span, witness));
+    }
+
+    fn note_switches(&mut self, noted: Option<Vec<Switch>>) -> Option<Vec<Switch>> {
+        std::mem::replace(&mut self.switches, noted)
     }
 
     fn warn(&mut self, warning: Diagnostic) {

@@ -26,7 +26,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, fault},
     limits::Ceiling,
-    value::{Function, Value, Witness},
+    value::{Function, Switch, Value, Witness},
 };
 
 /// The machine. One for each thread that evaluates.
@@ -48,6 +48,8 @@ pub(crate) struct Machine<'a> {
     pub(super) reads: Option<FileReads>,
     /// What decided the last test of a list, and the call that made it.
     pub(super) witness: Option<(Span, Witness)>,
+    /// What decided which way functions went, where somebody wants to know.
+    pub(super) switches: Option<Vec<Switch>>,
     /// Callers of the failure under way that no remark tells of.
     pub(super) n_untold: usize,
     /// The results that the last import brought, where they have an identity.
@@ -74,6 +76,7 @@ impl<'a> Machine<'a> {
             warnings: Vec::new(),
             reads: None,
             witness: None,
+            switches: None,
             n_untold: 0,
             imported: Fields::default(),
             scripts: BTreeSet::new(),
@@ -257,7 +260,11 @@ impl<'a> Machine<'a> {
                 let places =
                     operator::OperandPlaces { whole: span, left: left.span, right: right.span };
                 self.passes(a.extent().size.min(b.extent().size), span)?;
-                operator::binary(op, &a, &b, places, self.env.tolerance)
+                let value = operator::binary(op, &a, &b, places, self.env.tolerance)?;
+                if let Some(noted) = &mut self.switches {
+                    noted.extend(operator::switch(op, [&a, &b], &value, span));
+                }
+                Ok(value)
             }
         }
     }
@@ -273,8 +280,8 @@ impl<'a> Machine<'a> {
     pub(super) fn tolerance_of(&mut self, expr: &Expr, sides: [&Value; 2]) -> Result<f64> {
         match self.eval(expr)? {
             Value::Number(number) if 0.0 <= number.value => {
-                match sides.into_iter().find(|side| operator::is_of_other_unit(number, side)) {
-                    Some(side) => operator::limit_of_other_unit(number, side, expr.span),
+                match sides.into_iter().find_map(|side| operator::of_other_unit(number, side)) {
+                    Some(side) => operator::limit_of_other_unit(number, &side, expr.span),
                     None => Ok(number.value),
                 }
             }

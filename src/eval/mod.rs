@@ -36,6 +36,7 @@ mod memory;
 mod meter;
 mod name_search;
 mod name_uses;
+mod number_call;
 mod operator;
 mod outcome;
 mod param;
@@ -66,7 +67,6 @@ pub use outcome::{
     Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,
     TestOutcome,
 };
-pub use param::Setting;
 pub use run::evaluate;
 pub use schema::{Schema, SchemaParameter, parameters};
-pub use settings::{Purpose, Settings};
+pub use settings::{Purpose, Setting, Settings};

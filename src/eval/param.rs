@@ -1,6 +1,6 @@
 //! Parameters of a file: kinds, ranges, steps, choices, and values from outside.
 
-use std::{fmt, sync::Arc};
+use std::sync::Arc;
 
 use super::{
     autodiff::no_derivative,
@@ -8,6 +8,7 @@ use super::{
     ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
     lower,
     machine::Machine,
+    settings::Setting,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
@@ -17,30 +18,10 @@ use crate::{
     value::{Dimension, Number, Range, Real, Registry, Value},
 };
 
-/// A value for a parameter from outside.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Setting {
-    /// The parameter.
-    pub name: String,
-    /// Its value as text; strings without quotes.
-    pub text: String,
-    /// How messages call it: what stands where it was given.
-    pub called: String,
-}
-
-/// As messages call it.
-impl fmt::Display for Setting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.called)
-    }
-}
-
-/// A value for a parameter on its way in.
+/// A value for a parameter on its way in: from the command line, or from the file that imports.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum GivenValue<'a> {
-    /// From the command line.
     Text(&'a Setting),
-    /// From the file that imports.
     Value(&'a str, &'a Spanned<Value>),
 }
 
@@ -95,8 +76,11 @@ pub(super) fn rules(
             )
         })?,
     };
+    let of_number = |value| if let Value::Number(number) = value { Some(number.dim) } else { None };
+    let said = of_number(default.looked_at()).filter(|dim| !dim.is_bare());
     let rules = ParameterRules {
         kind,
+        dim: said.unwrap_or(Dimension::NONE),
         allowed: match &rules.allowed {
             Some(expr) => Some((machine.run(expr, definition.n_slots)?, expr.span)),
             None => None,
@@ -151,6 +135,8 @@ fn step(value: Value, span: Span) -> Result<Number> {
 /// What a parameter allows, evaluated.
 pub(super) struct ParameterRules {
     pub(super) kind: ParamKind,
+    /// What a number measures, by its default.
+    dim: Dimension,
     pub(super) allowed: Option<(Value, Span)>,
     pub(super) step: Option<(Number, Span)>,
     pub(super) label: Option<String>,
@@ -167,6 +153,7 @@ impl ParameterRules {
         let value = self.of_kind(&value).ok_or_else(|| {
             let wanted = match self.kind {
                 ParamKind::Integer | ParamKind::Angle => format!("an {}", self.kind.word()),
+                ParamKind::Number if !self.dim.is_bare() => self.dim.to_string(),
                 kind => format!("a {}", kind.word()),
             };
             let message = format!("{subject} must be {wanted}, found {}", value.phrase());
@@ -196,6 +183,15 @@ impl ParameterRules {
         })
     }
 
+    /// Whether a number may measure this: what the default does, or where that is a plain number anything but a length
+    /// or an angle, which have kinds of their own.
+    fn takes(&self, dim: Dimension) -> bool {
+        match self.dim.is_bare() {
+            true => !dim.is_angle() && dim != Dimension::LENGTH,
+            false => dim == self.dim || dim.is_bare() && self.dim.angle_power() == 0,
+        }
+    }
+
     fn of_kind(&self, value: &Value) -> Option<Value> {
         Some(match (self.kind, value) {
             (ParamKind::Bool, Value::Bool(_)) | (ParamKind::Text, Value::Text(_)) => value.clone(),
@@ -203,10 +199,10 @@ impl ParameterRules {
                 number.as_integer()?;
                 value.clone()
             }
-            (ParamKind::Number, Value::Number(number))
-                if !number.dim.is_angle() && number.dim != Dimension::LENGTH =>
-            {
-                value.clone()
+            (ParamKind::Number, Value::Number(number)) if self.takes(number.dim) => {
+                // A bare number counts in units of the document, as a length does.
+                let dim = if self.dim.is_bare() { number.dim } else { self.dim };
+                Value::Number(Number { dim, ..*number })
             }
             (ParamKind::Length, Value::Number(number)) if number.dim.is_as_length() => {
                 Value::Number(Number { dim: Dimension::LENGTH, ..*number })
@@ -272,7 +268,7 @@ impl ParameterRules {
         place: Span,
         outside: impl Fn(String) -> Diagnostic,
     ) -> Result<()> {
-        let fits = |end: Number| number.dim.common(end.dim).is_some();
+        let fits = |end: Number| number.beside(end).is_some();
         if !fits(range.start) || !fits(range.end) {
             let message =
                 format!("the range is of another dimension than the parameter, {}", number.dim);

@@ -14,9 +14,9 @@ use super::{
     outcome::{
         Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
     },
-    param::{GivenValue, Setting},
+    param::GivenValue,
     schedule,
-    settings::{Purpose, Settings},
+    settings::{Purpose, Setting, Settings},
     worker::{Inputs, Worker},
 };
 use crate::{

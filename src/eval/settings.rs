@@ -1,6 +1,8 @@
 //! What evaluation is given besides the script.
 
-use super::{memory::CacheRun, param::Setting};
+use std::fmt;
+
+use super::memory::CacheRun;
 use crate::{
     limits::{
         Limits,
@@ -8,6 +10,24 @@ use crate::{
     },
     value::{Files, Registry},
 };
+
+/// A value for a parameter from outside.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// The parameter.
+    pub name: String,
+    /// Its value as text; strings without quotes.
+    pub text: String,
+    /// How messages call it: what stands where it was given.
+    pub called: String,
+}
+
+/// As messages call it.
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.called)
+    }
+}
 
 /// What a script is evaluated for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -28,6 +28,6 @@ pub enum JumpError {
     #[error("the function jumps by {} at parameter {parameter}", few_digits(*gap))]
     Function { parameter: f64, gap: f64 },
     /// Of a function of two parameters.
-    #[error("the function jumps by {} at ({u}, {v})", few_digits(*gap))]
+    #[error("the function jumps by {} at ({}, {})", few_digits(*gap), few_digits(*u), few_digits(*v))]
     FunctionAt { u: f64, v: f64, gap: f64 },
 }

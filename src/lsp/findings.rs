@@ -17,6 +17,7 @@ use super::{
 use crate::{
     diag::{Diagnostic, Sources},
     ide::{self, ColumnUnit, Finding, LineIndex, SourceRange},
+    limits::MOST_FINDINGS,
 };
 
 /// The texts of a run with their addresses.
@@ -99,10 +100,18 @@ impl Server<'_> {
         let addressed = Addressed::of(open, sources, unit);
         let mut by_file: BTreeMap<String, Vec<lsp_types::Diagnostic>> = BTreeMap::new();
         by_file.entry(uri.to_owned()).or_default();
-        for diagnostic in found {
+        for (n_before, diagnostic) in found.iter().enumerate() {
             let finding = Finding::of(sources, diagnostic);
             let Some(file) = addressed.uris.get(finding.place.source) else { continue };
-            by_file.entry(file.clone()).or_default().push(addressed.lsp_diagnostic(&finding));
+            let mut told = addressed.lsp_diagnostic(&finding);
+            let n_left = found.len() - n_before;
+            if n_before == MOST_FINDINGS && 1 < n_left {
+                told.message = format!("{n_left} more findings from here on");
+            }
+            by_file.entry(file.clone()).or_default().push(told);
+            if n_before == MOST_FINDINGS {
+                break;
+            }
         }
         let before = std::mem::replace(&mut open.told, by_file.keys().cloned().collect());
         let version = open.version;

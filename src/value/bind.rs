@@ -5,7 +5,7 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, Type, Value, element::element_span, misplaced};
+use super::{FromValue, Op, OpParameter, Type, Value, element::element_span, misplaced};
 use crate::{
     diag::{Code, Diagnostic, Fix, Sources, Span, Spanned, nearest},
     limits::Ceiling,
@@ -273,15 +273,26 @@ pub struct Binder<'s> {
     most: usize,
     /// The texts in which arguments stand.
     sources: Option<&'s Sources>,
+    /// The document's unit of length.
+    unit: &'static str,
 }
 
 impl<'s> Binder<'s> {
     /// Hands out the arguments of `call`; a range that is read as a list may have `most` elements.
     #[must_use]
-    pub fn new(op: &'static Op, mut call: Call, most: usize, sources: Option<&'s Sources>) -> Self {
+    pub fn new(
+        op: &'static Op,
+        mut call: Call,
+        most: usize,
+        (sources, unit): (Option<&'s Sources>, &'static str),
+    ) -> Self {
         gather_spread(op, &mut call);
         let mut mistakes = Mistakes::default();
         misplaced::correct(op, &mut call, sources, &mut mistakes);
+        let span = call.span;
+        if let Some(slots) = by_position(op, &mut call) {
+            return Self { op, span, slots, mistakes, most, sources, unit };
+        }
         let formals: Vec<FormalParameter<'_>> = op
             .params
             .iter()
@@ -292,9 +303,8 @@ impl<'s> Binder<'s> {
                 ty: Some(param.ty),
             })
             .collect();
-        let span = call.span;
         let slots = assign(&formals, call, &mut mistakes);
-        Self { op, span, slots, mistakes, most, sources }
+        Self { op, span, slots, mistakes, most, sources, unit }
     }
 
     /// Takes parameter `name`; `None` records what is wrong with it.
@@ -314,7 +324,9 @@ impl<'s> Binder<'s> {
             Err(mismatch) => {
                 let text = mismatch.sentence(&format!("`{name}`"), T::TYPE);
                 let place = element_span(self.sources, given.span, &mismatch.path);
-                let hint = mismatch.hint.or_else(|| T::TYPE.remedy(&given.value));
+                let hint =
+                    mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
+                let hint = hint.or_else(|| T::TYPE.remedy(&given.value));
                 self.mistakes.add(mismatch.code, place, text, hint);
                 self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
                 None
@@ -333,6 +345,22 @@ impl<'s> Binder<'s> {
     pub fn complaint(self) -> Box<Diagnostic> {
         self.mistakes.complaint(&format!("`{}`", self.op.name), &self.op.signature(), self.span)
     }
+}
+
+/// The arguments in the places of their parameters, where all stand by position and none is missing; as [`assign`] puts
+/// them.
+fn by_position(op: &Op, call: &mut Call) -> Option<Vec<Option<Spanned<Value>>>> {
+    let takes = |param: &OpParameter| !param.may_be_left_out() || param.by_position;
+    let open = || op.params.iter().filter(|param| takes(param));
+    let n_given = call.positional.len();
+    let is_plain = call.named.is_empty()
+        && n_given <= open().count()
+        && open().skip(n_given).all(OpParameter::may_be_left_out);
+    if !is_plain {
+        return None;
+    }
+    let mut given = std::mem::take(&mut call.positional).into_iter();
+    Some(op.params.iter().map(|param| if takes(param) { given.next() } else { None }).collect())
 }
 
 /// Where the first parameter is a list whose elements may stand as the arguments, makes that list.

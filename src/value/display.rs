@@ -69,9 +69,10 @@ impl fmt::Display for ToldValue<'_> {
             Value::Face(face) => write_face(f, face),
             Value::Solid(solid) => write_solid(f, solid),
             Value::Mesh(mesh) => {
-                let faces = match mesh.face_sizes() {
-                    [] => "triangles",
-                    [_] => "face",
+                let faces = match (mesh.face_sizes(), mesh.n_faces()) {
+                    ([], 1) => "triangle",
+                    ([], _) => "triangles",
+                    (_, 1) => "face",
                     _ => "faces",
                 };
                 write!(f, "mesh of {} vertices and {} {faces}", mesh.n_vertices(), mesh.n_faces())

@@ -228,9 +228,21 @@ impl FromValue for Interval {
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
         let range = Range::from_value(value, span)?;
+        check_parameters(&range, value)?;
         Self::new(range.start.value, range.end.value)
             .map_err(|err| Mismatch::because(err.to_string(), Code::OutsideDomain))
     }
+}
+
+/// That a range is one of parameters, which are no angles: a function would be given plain numbers.
+pub(super) fn check_parameters(range: &Range, value: &Value) -> Result<(), Mismatch> {
+    if range.start.dim.angle_power() == 0 && range.end.dim.angle_power() == 0 {
+        return Ok(());
+    }
+    let hint = "parameters are no angles: `0..tau` goes once around, where the function takes `t * 1rad` for one";
+    Err(Mismatch::new("a range of plain numbers", value.phrase())
+        .code(Code::UnitMismatch)
+        .hint(hint))
 }
 
 /// Anything that can be called: a function, a curve, a surface.

@@ -50,6 +50,21 @@ impl OnNumbers {
         }
     }
 
+    /// The result for arguments whose dimension it takes.
+    #[must_use]
+    pub fn of(&self, args: &[f64]) -> f64 {
+        match (self, args) {
+            (Self::One(_, of) | Self::OfAngle(of), &[x])
+            | (Self::OneOrTwo { one: (_, of), .. }, &[x]) => of(x),
+            (
+                Self::Two(_, of) | Self::Fold(_, of) | Self::OneOrTwo { two: (_, of), .. },
+                &[first, ref rest @ ..],
+            ) => rest.iter().fold(first, |x, y| of(x, *y)),
+            (Self::Three(_, of), &[a, b, c]) => of([a, b, c]),
+            _ => unreachable!("its dimension is that of as many"),
+        }
+    }
+
     /// Replaces each of the first arguments by the result; `others` has a lane for each further one.
     pub fn apply(&self, first: &mut [f64], others: &[Vec<f64>]) {
         match (self, others) {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Call, Callback, Files, OnNumbers, Type, Value, Witness};
+use super::{Call, Callback, Files, OnNumbers, Switch, Type, Value, Witness};
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
@@ -125,6 +125,10 @@ pub trait Caller {
 
     /// Takes what decided a test of the elements of a list, by the call at `span`.
     fn decided(&mut self, span: Span, witness: Witness);
+
+    /// Begins to note what decides which way functions go of what carries derivatives, or ends it with `None`; what
+    /// was noted before.
+    fn note_switches(&mut self, noted: Option<Vec<Switch>>) -> Option<Vec<Switch>>;
 
     /// Takes a warning.
     fn warn(&mut self, warning: Diagnostic);
@@ -356,7 +360,7 @@ macro_rules! op {
             names_script: $crate::value::op!(@names_script $($named)?),
             run: |ctx, call| {
                 let mut binder = $crate::value::Binder::new(
-                    &OP, call, ctx.limits.list_length, ctx.sources,
+                    &OP, call, ctx.limits.list_length, (ctx.sources, ctx.unit),
                 );
                 $( let $param: Option<$ty> =
                     binder.take(stringify!($param), $crate::value::op!(@value $($default)?)); )*

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{Number, Real};
+use super::{Dimension, Number, Real};
 use crate::kernel::Interval;
 
 /// A range as it was written; `start` above `end` is empty.
@@ -64,5 +64,15 @@ impl Range {
     pub(super) fn text(&self, unit: Option<&str>) -> String {
         let dots = if self.closed { ".." } else { "..<" };
         format!("{}{dots}{}", self.start.text(unit), self.end.text(unit))
+    }
+}
+
+impl Number {
+    /// The common dimension with the other end of a range; beside an angle a bare number is 0 or says nothing.
+    #[must_use]
+    pub fn beside(self, other: Self) -> Option<Dimension> {
+        let is_said = |number: Self| number.dim.angle_power() != 0 || number.value.abs() <= 0.0;
+        let common = self.dim.common(other.dim)?;
+        (common.angle_power() == 0 || is_said(self) && is_said(other)).then_some(common)
     }
 }

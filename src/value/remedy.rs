@@ -19,6 +19,12 @@ impl Type {
             (Self::List(of, _), single) if !matches!(of, Self::Any) && of.accepts(single) => {
                 "a list of one element is written `[x]`"
             }
+            (Self::List(Self::Any, _), Value::Table(_)) => {
+                "`[...t]` is the list of its rows, as records"
+            }
+            (Self::List(Self::Any, _), Value::Record(_)) => {
+                "a record has no order; a list is written `[a, b]`"
+            }
             // Of things that may stand as the arguments themselves.
             (Self::List(Self::OneOf(types), _), single) => {
                 return types.iter().find_map(|of| of.remedy(single));

@@ -23,7 +23,6 @@ curve on_the_way = ode((t, p) => (-sqrt(p.x), 1 / (0.5 - t)), start = (1, 0), ra
 curve outside = ode((t, p) => (-1, sqrt(p.x)), start = (1, 0), range = 0..2)
 // Units that do not fit, and derivatives.
 curve units = ode((t, p) => (p.x + t, 0), start = (0, 0), range = 0deg..90deg)
-print gradient(a => ode((t, p) => (a, 0), start = (0, 0), range = 0..1).end.x, 2)
 // What never ends.
 fn endless_call(t, p) = endless_call(t, p)
 curve forever = ode(endless_call, start = (0, 0), range = 0..1)

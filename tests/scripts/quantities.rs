@@ -279,5 +279,10 @@ fn nearness_counts_its_limit() {
     ] {
         assert_eq!(truth(expr), expected, "{expr}");
     }
-    refused(&[("1mm ~= 1deg within 9", "E0303"), ("[1, 1mm] ~= [1, 1deg] within 9", "E0301")]);
+    refused(&[
+        ("1mm ~= 1deg within 9", "E0303"),
+        ("[1, 1mm] ~= [1, 1deg] within 1e-9", "E0301"),
+        ("30deg ~= 60deg within 1", "E0303"),
+        ("[30deg] ~= [60deg] within 1mm", "E0303"),
+    ]);
 }

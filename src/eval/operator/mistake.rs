@@ -4,6 +4,7 @@ use super::operand::{OperandPlaces, OperatorRefusal};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     eval::ir::BinaryOp,
+    kernel::tolerance::LIMIT_WITHOUT_UNIT,
     value::{BARE_AND_ANGLE, Dimension, Function, Number, Value},
 };
 
@@ -28,7 +29,7 @@ pub(super) fn refused(
         }
         OperatorRefusal::NoSuchPowerOfUnit => {
             error(Code::UnitMismatch, format!("{} cannot be raised to the power {b}", a.dim))
-                .hint("divide by `1mm` or `1rad` first to take the unit away")
+                .hint("divide by `1mm`, `1m` or `1rad` first to take the unit away")
         }
         OperatorRefusal::ZeroDivisor => error(Code::DivisionByZero, "division by zero".to_owned())
             .also(places.right, "this is 0"),
@@ -68,15 +69,23 @@ pub(super) fn mismatch(verb: &str, a: &Value, b: &Value, places: OperandPlaces) 
     )
 }
 
-/// Whether a limit with a unit cannot be that of a distance between such values. Plain numbers are in
-/// the document's units, and coordinates are lengths.
-pub(in crate::eval) fn is_of_other_unit(limit: Number, side: &Value) -> bool {
-    let dimension = match side {
-        Value::Number(number) if !number.dim.is_bare() => number.dim,
-        Value::Point(_) => Dimension::LENGTH,
-        _ => return false,
+/// What a limit cannot be that of a distance between, of such values. Plain numbers are in the document's units, coordinates
+/// are lengths; beside an angle a limit says its unit, unless it is for rounding alone.
+pub(in crate::eval) fn of_other_unit(limit: Number, side: &Value) -> Option<Value> {
+    let is_bare = limit.dim.is_bare();
+    let is_other = match side {
+        Value::Number(number) if number.dim.is_angle() && is_bare => {
+            LIMIT_WITHOUT_UNIT < limit.value
+        }
+        Value::Number(number) => !is_bare && !number.dim.is_bare() && limit.dim != number.dim,
+        Value::Point(_) => !is_bare && limit.dim != Dimension::LENGTH,
+        Value::List(items) => return items.iter().find_map(|item| of_other_unit(limit, item)),
+        Value::Record(record) => {
+            return record.iter().find_map(|(_, value)| of_other_unit(limit, value));
+        }
+        _ => false,
     };
-    !limit.dim.is_bare() && limit.dim != dimension
+    is_other.then(|| side.clone())
 }
 
 /// A limit whose unit is not that of what it limits.
@@ -91,9 +100,11 @@ pub(in crate::eval) fn limit_of_other_unit<T>(
     };
     let found = noun(&Value::Number(limit));
     let message = format!("`within` takes {takes} here, found {found}");
-    Diagnostic::error(Code::UnitMismatch, place, message)
-        .hint("a plain number counts in the units of both sides")
-        .fail()
+    let hint = match limit.dim.is_bare() {
+        true => "say its unit: `within 1deg`; a thousandth or less, for rounding, needs none",
+        false => "a plain number counts in the units of both sides",
+    };
+    Diagnostic::error(Code::UnitMismatch, place, message).hint(hint).fail()
 }
 
 /// A value by its dimension, else by its kind.

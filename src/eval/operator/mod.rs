@@ -21,12 +21,12 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{GeomError, LocalError, Tolerance},
     value::{
-        At, Discrepancy, FromValue, IntoValue, JetRange, Number, Range, Real, Value, Vector,
-        deviation, equal,
+        At, BARE_AND_ANGLE, Discrepancy, FromValue, IntoValue, JetRange, Number, Range, Real,
+        Switch, Value, Vector, deviation, equal,
     },
 };
 use mistake::{OF_OTHER_UNIT, inapplicable, mismatch, overflow, refused};
-pub(super) use mistake::{is_of_other_unit, limit_of_other_unit};
+pub(super) use mistake::{limit_of_other_unit, of_other_unit};
 pub(super) use operand::OperandPlaces;
 use operand::Sides;
 use table::{
@@ -168,6 +168,32 @@ fn derivatives(
     }
 }
 
+/// What an operator decided of numbers that carry derivatives.
+pub(super) fn switch(
+    op: BinaryOp,
+    [a, b]: [&Value; 2],
+    value: &Value,
+    span: Span,
+) -> Option<Switch> {
+    if !a.is_jet() && !b.is_jet() {
+        return None;
+    }
+    let real = |value| Number::<Real>::from_value(value, span).ok().map(|number| number.value);
+    let sides = real(a).zip(real(b));
+    match (binary_meaning(op), value) {
+        (BinaryMeaning::Comparison(_) | BinaryMeaning::Near, Value::Bool(truth)) => {
+            let margin = sides.map(|(a, b)| a.minus(&b));
+            Some(Switch { span, state: f64::from(u8::from(*truth)), margin })
+        }
+        _ if op == BinaryOp::Remainder => {
+            let margin = sides.and_then(|(a, b)| a.over(&b).ok());
+            let state = margin.as_ref().map_or(0.0, |margin| margin.value().floor());
+            Some(Switch { span, state, margin })
+        }
+        _ => None,
+    }
+}
+
 fn compare(
     op: BinaryOp,
     row: &ComparisonRow,
@@ -242,12 +268,14 @@ pub(super) fn unary(op: UnaryOp, value: &Value, span: Span) -> Result<Value> {
 /// The range between two numbers.
 fn range(a: &Value, b: &Value, closed: bool, span: Span) -> Result<Value> {
     match (a, b) {
-        (Value::Number(start), Value::Number(end)) if start.dim.common(end.dim).is_some() => {
+        (Value::Number(start), Value::Number(end)) if start.beside(*end).is_some() => {
             Ok(Value::Range(Range { start: *start, end: *end, closed }))
         }
         (Value::Number(start), Value::Number(end)) => {
             let message = format!("a range from {} to {}", start.dim, end.dim);
-            Diagnostic::error(Code::UnitMismatch, span, message).fail()
+            let found = Diagnostic::error(Code::UnitMismatch, span, message);
+            let is_bare = start.dim.is_bare() || end.dim.is_bare();
+            if is_bare { found.hint(BARE_AND_ANGLE) } else { found }.fail()
         }
         _ if a.is_jet() || b.is_jet() => {
             // Units and mistakes are those of the values.

@@ -19,7 +19,7 @@ pub(crate) use search::{
     PROOF_PIECES, QUADRIC_WORK, ROOT_LOOKS, ROOT_STEPS, SHARED_STRETCHES, SIGN_PARTS, SLOPE_STEPS,
     SURFACE_CUTS, SURFACE_PAIRS, TRACE_SAMPLES, TRAJECTORY_REFINEMENTS, TURN_CUTS,
 };
-pub use search::{PIECES, STAND_IN_CELLS, TRAJECTORY_STEPS};
+pub use search::{INTEGRAL_EVALUATIONS, PIECES, STAND_IN_CELLS, TRAJECTORY_STEPS};
 
 /// Degree of a curve or surface. Above it binomial coefficients lose digits and nobody has a use.
 pub const DEGREE: usize = 100;

@@ -86,7 +86,10 @@ pub(crate) const LEAST_LOOKS: usize = 16;
 pub(crate) const LEAST_STEPS: usize = 100;
 
 /// Pieces of an interval over which a function is integrated.
-pub(crate) const INTEGRAL_PIECES: usize = 2000;
+pub(crate) const INTEGRAL_PIECES: usize = 4000;
+
+/// Questions that one integral puts to its function, those of integrals over integrals counted together: some ten seconds.
+pub const INTEGRAL_EVALUATIONS: usize = 5_000_000;
 
 /// Steps over which differences are taken for one slope, each half of the one before.
 pub(crate) const SLOPE_STEPS: i32 = 10;

@@ -7,7 +7,10 @@ use super::{
     integral_piece::{IntegrationInterval, add, halves},
     integral_start::{MOST_LOOKS, first_pieces},
 };
-use crate::{ceiling::INTEGRAL_PIECES, tolerance::INTEGRAL_WIDTH_RELATIVE};
+use crate::{
+    ceiling::INTEGRAL_PIECES,
+    tolerance::{INTEGRAL_NOISE_RELATIVE, INTEGRAL_WIDTH_RELATIVE},
+};
 
 /// An integral, and how far it may be off.
 ///
@@ -46,11 +49,19 @@ pub enum IntegralError<E> {
         at: f64,
         /// What it is.
         error: f64,
+        /// Whether the function has no more digits there: halves of pieces are off as far as the whole.
+        is_noise: bool,
     },
 }
 
 /// Numbers between the ends of a piece that is divided: nodes are no longer places of their own in less.
 const LEAST_SPACINGS: u32 = 256;
+
+/// Halvings one behind the other that only find noise.
+const NOISY_HALVINGS: usize = 3;
+
+/// By which share of the error of the whole both halves are off at least, where it is noise.
+const NOISY_SHARE: f64 = 0.2;
 
 /// How many times smaller than the error asked for is what may be left to the place of a kink.
 const FINER: f64 = 64.0;
@@ -62,7 +73,7 @@ const FINER: f64 = 64.0;
 /// they agree. Where the error keeps to one side, as beside a kink or a jump, the function is cut there; neighbours
 /// that do not meet have a jump between their last nodes. Ends of the interval are never asked for, so that a function
 /// may grow there without bound as long as its integral does not. What no node shows stays unseen: a peak between
-/// them, or a jump that is nearer to an end than a thousandth. Piessens et al., *QUADPACK*, §2.2.1 (QAG).
+/// them, or two jumps beside one another. Piessens et al., *QUADPACK*, §2.2.1 (QAG).
 ///
 /// ```
 /// use virote_kernel::{IntegralError, find_integral};
@@ -112,6 +123,7 @@ pub fn find_sized_integral<E>(
     let failed = IntegralError::Function;
     let mut pieces =
         BinaryHeap::from(first_pieces(&mut function, [start, end], MOST_LOOKS).map_err(failed)?);
+    let mut n_noisy = 0;
     loop {
         let sum = |what: fn(&IntegrationInterval) -> f64| pieces.iter().map(what).sum::<f64>();
         let (error, size) = (sum(|piece| piece.error), sum(|piece| piece.size));
@@ -132,7 +144,7 @@ pub fn find_sized_integral<E>(
         }
         let Some(worst) = pieces.pop() else { unreachable!("there is a piece") };
         if !is_wide(&worst, end - start) || INTEGRAL_PIECES <= pieces.len() || !is_known {
-            return Err(IntegralError::Unsettled { at: worst.middle(), error });
+            return Err(IntegralError::Unsettled { at: worst.middle(), error, is_noise: false });
         }
         let found = kink(&mut function, &pieces, &worst, allowed / FINER);
         let parts = match found.map(|kink| beside_kink(&mut function, [&worst, &worst], kink)) {
@@ -140,8 +152,28 @@ pub fn find_sized_integral<E>(
             // Where it fails so near to a kink there is a pole.
             _ => halves(&mut function, &worst),
         };
-        pieces.extend(parts.map_err(failed)?);
+        let parts = parts.map_err(failed)?;
+        n_noisy = if is_noise(&worst, &parts) { n_noisy + 1 } else { 0 };
+        if n_noisy == NOISY_HALVINGS {
+            return Err(IntegralError::Unsettled { at: worst.middle(), error, is_noise: true });
+        }
+        pieces.extend(parts);
     }
+}
+
+/// Whether both halves of a piece are off by as much for their width as the whole, and the sum stays.
+fn is_noise(whole: &IntegrationInterval, parts: &[IntegrationInterval]) -> bool {
+    let [a, b] = parts else { return false };
+    let stays = |(whole, (a, b)): (&f64, (&f64, &f64))| {
+        (a + b - whole).abs() <= INTEGRAL_NOISE_RELATIVE * whole.abs()
+    };
+    let least = a.error.min(b.error);
+    // Steps that are as large as the function are none, though halves may cancel.
+    0.0 < least
+        && whole.error <= INTEGRAL_NOISE_RELATIVE * whole.size
+        && NOISY_SHARE * whole.error < least
+        && a.error + b.error < 2.0 * whole.error
+        && whole.value.iter().zip(a.value.iter().zip(&b.value)).all(stays)
 }
 
 /// Whether a piece of an interval of some length can be divided.
@@ -241,6 +273,24 @@ mod tests {
         assert!(
             matches!(found, Err(IntegralError::Unsettled { at, .. }) if (at - 0.3).abs() < 1e-3)
         );
+    }
+
+    #[test]
+    fn noise_is_refused_after_a_few_questions() {
+        let mut n_asked = 0;
+        let noisy = |x: f64| {
+            n_asked += 1;
+            let noise = libm::sin(1e9 * x) + libm::sin(1e8 * x + 1.0);
+            Ok::<_, ()>(vec![4.0 - x * x + 1e-9 * noise])
+        };
+        let found = find_integral(noisy, [-2.0, 2.0], 1e-13, 0.0);
+        let Err(IntegralError::Unsettled { error, is_noise: true, .. }) = found else {
+            unreachable!("{found:?}")
+        };
+        assert!((1e-10..1e-7).contains(&error) && n_asked < 300, "{error} after {n_asked}");
+        assert!(find_integral(|x| Ok::<_, ()>(vec![4.0 - x * x]), [-2.0, 2.0], 1e-13, 0.0).is_ok());
+        let steps = integral(|x| (3.0 * x).floor(), [0.0, 2.0]).expect("an integral");
+        assert!((steps - 5.0).abs() < 1e-12, "{steps}");
     }
 
     #[test]

@@ -10,8 +10,12 @@ use super::{
 /// Halvings after which the error keeps to one side, as beside a kink, that lead to a search for it.
 const LONELY_HALVINGS: u32 = 2;
 
-/// Where between an end of the interval and the node beside it the function is asked, lest it jumps there.
+/// Between an end of the interval and the node beside it the function is asked, lest it jumps there, at this share of the
+/// way from the end.
 const BESIDE_END: f64 = 1.0 / 8.0;
+
+/// So many times nearer by the same share it is asked at last: 1/8¹³ of a way is less than counts.
+const END_LOOKS: i32 = 13;
 
 /// The narrow interval in which the function kinks inside of a piece that looks like it, between its neighbours.
 pub(super) fn kink<E>(
@@ -117,18 +121,14 @@ fn jump_beside_end<E>(
     let mut ask = |at| function(at).map(|(value, _)| value);
     for side in [0, 1] {
         let idx = if side == 0 { 0 } else { pieces.len() - 1 };
-        let (end, node) = (pieces[idx].interval[side], pieces[idx].outer_nodes()[side]);
-        let beside = end + BESIDE_END * (node - end);
+        let node = pieces[idx].outer_nodes()[side];
         if pieces[idx].is_seen[side] || !is_wide(&pieces[idx]) {
             continue;
         }
         pieces[idx].is_seen[side] = true;
-        // Where it fails so near to an end it is not asked again.
-        let Ok(value) = ask(beside) else { continue };
-        let apart = pieces[idx].samples.distance_at(beside, &value);
-        if apart * (node - end).abs() <= 0.5 * allowed {
+        let Some((beside, value)) = unlike_beside_end(&pieces[idx], side, allowed, &mut ask) else {
             continue;
-        }
+        };
         let mut outside = SampledPiece::default();
         outside.push(beside, &value);
         let (inside, mut sides) = (&pieces[idx].samples, [&outside, &pieces[idx].samples]);
@@ -152,6 +152,32 @@ fn jump_beside_end<E>(
         return Ok(true);
     }
     Ok(false)
+}
+
+/// The first place between the node beside an end and the end at which the function is so far from the polynomial of
+/// its piece that it counts, with the value there. A step anywhere between them shows at the nearest place to
+/// the end; only where something does is the function asked on the way.
+fn unlike_beside_end<E>(
+    piece: &IntegrationInterval,
+    side: usize,
+    allowed: f64,
+    ask: &mut impl FnMut(f64) -> Result<Vec<f64>, E>,
+) -> Option<(f64, Vec<f64>)> {
+    let (end, node) = (piece.interval[side], piece.outer_nodes()[side]);
+    let place = |look: i32| end + libm::pow(BESIDE_END, f64::from(look)) * (node - end);
+    let is_inside = |at: f64| (end < at) == (end < node) && (at - end).abs() > 0.0;
+    // What is so far from the polynomial at a place is so at least up to the place before it.
+    let mut unlike = |look: i32, reach: f64| {
+        // Where it fails so near to an end it is not asked again.
+        let value = Some(place(look)).filter(|at| is_inside(*at)).and_then(|at| ask(at).ok())?;
+        let apart = piece.samples.distance_at(place(look), &value);
+        (0.5 * allowed < apart * (reach - end).abs()).then_some((place(look), value))
+    };
+    if let Some(found) = unlike(1, node) {
+        return Some(found);
+    }
+    unlike(END_LOOKS, node)?;
+    (2..=END_LOOKS).find_map(|look| unlike(look, place(look - 1)))
 }
 
 /// The largest difference of components.

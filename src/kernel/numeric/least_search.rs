@@ -12,7 +12,7 @@ use crate::{
     ceiling::{CONSTRAINED_HALVINGS, CONSTRAINED_STEPS},
     tolerance::{
         ARMIJO, CONDITION_RELATIVE, LAST_BIT, LEAST_FAR, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE,
-        LEAST_STEP_RELATIVE,
+        LEAST_SLOPE_RELATIVE, LEAST_STEP_RELATIVE,
     },
 };
 
@@ -28,6 +28,14 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) values: Vec<f64>,
     /// The weight of each broken condition.
     penalties: Vec<f64>,
+}
+
+/// A place beside the best one, with the merit on the other side of that.
+struct BestBeside {
+    merit: f64,
+    opposite: f64,
+    place: Vec<f64>,
+    values: Vec<f64>,
 }
 
 impl<'a, F, E> LeastSearch<'a, F>
@@ -220,16 +228,20 @@ where
     }
 
     /// The best of the places a little before and behind in each unknown.
-    fn best_beside(&mut self) -> Result<Option<(f64, Vec<f64>, Vec<f64>)>, E> {
-        let mut best: Option<(f64, Vec<f64>, Vec<f64>)> = None;
+    fn best_beside(&mut self) -> Result<Option<BestBeside>, E> {
+        let mut best: Option<BestBeside> = None;
         for k in 0..self.place.len() {
-            for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
+            let mut side = |side: f64| {
                 let mut step = vec![0.0; self.place.len()];
                 step[k] = side;
-                let (place, values) = self.moved(&step, 1.0)?;
-                let merit = self.merit(&values);
-                if best.as_ref().is_none_or(|(least, ..)| merit < *least) {
-                    best = Some((merit, place, values));
+                self.moved(&step, 1.0)
+            };
+            let sides = [side(-LEAST_PROBE_RELATIVE)?, side(LEAST_PROBE_RELATIVE)?];
+            let merits = sides.each_ref().map(|(_, values)| self.merit(values));
+            for (own, (place, values)) in sides.into_iter().enumerate() {
+                let (merit, opposite) = (merits[own], merits[1 - own]);
+                if best.as_ref().is_none_or(|best| merit < best.merit) {
+                    best = Some(BestBeside { merit, opposite, place, values });
                 }
             }
         }
@@ -251,12 +263,18 @@ where
         Ok(true)
     }
 
-    /// Whether a place beside is better, such as beside a saddle; the search goes there.
+    /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
         let merit = self.merit(&self.values);
-        let Some((least, place, values)) = self.best_beside()? else { return Ok(false) };
-        let is_better = least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
+        let Some(BestBeside { merit: least, opposite, place, values }) = self.best_beside()? else {
+            return Ok(false);
+        };
+        // Down on one side by about as much as up on the other: a slope, however small.
+        let (fall, rise) = (merit - least, opposite - merit);
+        let is_slope =
+            LEAST_SLOPE_RELATIVE * merit.abs() < fall && rise < 2.0 * fall && fall < 2.0 * rise;
+        let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
         if is_better {
             (self.place, self.values) = (place, values);
         }

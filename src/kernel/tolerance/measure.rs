@@ -18,6 +18,22 @@ pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 /// Larger takes the value of another place; smaller is on the crease up to rounding.
 pub const BESIDE_CREASE: f64 = 1e-12;
 
+/// A step along a surface of a function that its tangents do not explain is a jump where it is larger than this
+/// fraction of the surface's size, however narrow.
+///
+/// Larger passes over tears; smaller follows what only bends.
+pub(crate) const GAP_RELATIVE: f64 = 1e-6;
+
+/// So narrow, as a fraction of the domain.
+///
+/// Larger takes what is steep for torn; smaller asks where the parameter has no digits left.
+pub(crate) const GAP_WIDTH_RELATIVE: f64 = 1e-13;
+
+/// A gap of which less than this share is left after eight halvings fades: that of a root does.
+///
+/// Larger takes what is infinitely steep for connected where it jumps beside; smaller takes it for torn.
+pub(crate) const GAP_FADES: f64 = 0.7;
+
 /// The gradient of a length, an area or a volume is computed until two rules agree to this fraction of it;
 /// the finer one, which counts, is much nearer than that.
 ///

@@ -29,6 +29,31 @@ pub const ROOT_BESIDE_RELATIVE: f64 = 1e-2;
 /// Larger loses digits; smaller searches among values that rounding makes equal.
 pub const LEAST_PLACE_RELATIVE: f64 = 1.5e-8;
 
+/// Halves of a piece of an integral whose sum stays the whole up to this fraction, though both are off, hold noise alone.
+///
+/// Larger takes what is not resolved yet for noise; smaller goes on among the last digits of a function.
+pub(crate) const INTEGRAL_NOISE_RELATIVE: f64 = 1e-5;
+
+/// How fast a comparison changes along an integral is told over this share of the range.
+///
+/// Larger leaves the stretch in which it is smooth; smaller leaves rounding.
+pub const SWITCH_STEP_RELATIVE: f64 = 1e-3;
+
+/// A function that differs by less than this fraction on both sides of a place does not jump there.
+///
+/// Larger loses the motion of small jumps from a derivative; smaller looks for that of rounding.
+pub const SWITCH_ALIKE_RELATIVE: f64 = 1e-11;
+
+/// Whether a least value is that of a pole is told over this share of the range beside it.
+///
+/// Larger looks at another place; smaller does not see that the function falls on.
+pub const POLE_STEP_RELATIVE: f64 = 1e-6;
+
+/// A limit without a unit beside an angle up to here leaves rounding alone, whichever unit is meant.
+///
+/// Larger lets claims hold in radians that are meant in degrees; smaller refuses limits for rounding.
+pub const LIMIT_WITHOUT_UNIT: f64 = 1e-3;
+
 /// A piece of this fraction of an interval is not divided any more.
 ///
 /// Larger refuses integrals of functions that grow fast at an end; smaller goes on to the end of all
@@ -101,6 +126,11 @@ pub const LEAST_PROBE_RELATIVE: f64 = 1e-3;
 ///
 /// Larger stays on saddles; smaller leaves a least value for rounding.
 pub const LEAST_GAIN_RELATIVE: f64 = 1e-9;
+
+/// A place is better where the function falls to it by this fraction of its value, and rises by as much on the other side.
+///
+/// Larger stays at inflections; smaller goes on where rounding falls and rises.
+pub(crate) const LEAST_SLOPE_RELATIVE: f64 = 1e-11;
 
 /// A search that has come so many times the unknowns' sizes away falls without bound.
 ///

@@ -148,6 +148,49 @@ impl VariedSurface {
         })
     }
 
+    /// The slopes of the integral of (S − C)·D (S − C)·E over the area, a point C held.
+    ///
+    /// # Errors
+    /// As for [`Self::area_slopes`].
+    pub fn area_second_moment_slopes(
+        &self,
+        center: DVec3,
+        [d, e]: [DVec3; 2],
+    ) -> Result<SurfaceIntegral, GeomError> {
+        self.integral_slopes("the inertia", |[point, u, v]| {
+            let (across, arm) = (u.cross(v), point - center);
+            let length = across.length();
+            let normal = across / length;
+            let product = arm.dot(d) * arm.dot(e);
+            let by_point = (d * arm.dot(e) + e * arm.dot(d)) * length;
+            (LAST_BIT * u.length() * v.length() < length)
+                .then(|| [by_point, v.cross(normal) * product, normal.cross(u) * product])
+        })
+    }
+
+    /// The slopes of what the surface adds to the integral of (S − C)·D (S − C)·E over the volume that it encloses with
+    /// others, a point C held: with A = S − P and B = C − P about a point P, the flux of
+    /// A·(A·D A·E/5 − (A·D B·E + B·D A·E)/4 + B·D B·E/3).
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    pub fn volume_second_moment_slopes(
+        &self,
+        [about, center]: [DVec3; 2],
+        [d, e]: [DVec3; 2],
+    ) -> Result<SurfaceIntegral, GeomError> {
+        self.integral_slopes("the inertia", |[point, u, v]| {
+            let (arm, across, held) = (point - about, u.cross(v), center - about);
+            let mixed = arm.dot(d) * held.dot(e) + held.dot(d) * arm.dot(e);
+            let share =
+                arm.dot(d) * arm.dot(e) / 5.0 - mixed / 4.0 + held.dot(d) * held.dot(e) / 3.0;
+            let by_arm =
+                (d * arm.dot(e) + e * arm.dot(d)) / 5.0 - (d * held.dot(e) + e * held.dot(d)) / 4.0;
+            let by_point = across * share + by_arm * arm.dot(across);
+            Some([by_point, v.cross(arm) * share, arm.cross(u) * share])
+        })
+    }
+
     fn integral_slopes(
         &self,
         what: &'static str,

@@ -169,7 +169,7 @@ fn spaced(
     ctx: &Ctx<'_>,
     place: fn(f64) -> f64,
 ) -> Result<Vec<Number<Real>>> {
-    let dim = common_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
+    let dim = common_dim([&a, &b].into_iter().map(Number::looked_at), ctx.span)?;
     check_length(n as f64, ctx)?;
     let number = |i: usize| {
         let value = match i {

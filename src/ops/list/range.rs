@@ -29,7 +29,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Number<Real>>> {
     let Args { a, b, step } = args;
     let [from, to, by] = [a.looked_at(), b.looked_at(), step.value.looked_at()];
-    let dim = common_dim(&[from, to, by], ctx.span)?;
+    let dim = common_dim([from, to, by].into_iter(), ctx.span)?;
     if by.value == 0.0 {
         return outside(step.span, "a step of zero never arrives".to_owned());
     }

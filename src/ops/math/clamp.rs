@@ -23,7 +23,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let [x, low, high] = [args.x, args.low, args.high];
-    let dim = common_dim(&[x.looked_at(), low.looked_at(), high.looked_at()], ctx.span)?;
+    let dim = common_dim([&x, &low, &high].into_iter().map(Number::looked_at), ctx.span)?;
     if high.value.value() < low.value.value() {
         let (low, high) = (low.looked_at(), high.looked_at());
         return outside(ctx.span, format!("the lower limit {low} is above the upper limit {high}"));
@@ -33,7 +33,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
 }
 
 fn common_of_three([a, b, c]: [Dimension; 3]) -> Option<Dimension> {
-    a.common(b)?.common(c)
+    a.sum(b)?.sum(c)
 }
 
 /// No number where the lower limit is above the upper one.

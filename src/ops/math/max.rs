@@ -15,13 +15,14 @@ op! {
     example "max(3, 1, 2)" => "3";
     example "max([3, 1, 2])" => "3";
     refuses "max([])" => "E0502: an empty list has no `max`";
+    refuses "max(1, 30deg)" => "E0303: a number without a unit and an angle do not mix";
     refuses "max(1mm, 1deg)" => "E0303: a length and an angle do not mix";
-    on_numbers OnNumbers::Fold(Dimension::common, greater);
+    on_numbers OnNumbers::Fold(Dimension::sum, greater);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let Numbers(numbers) = args.numbers.value;
-    let dim = common_dim(&numbers, ctx.span)?;
+    let dim = common_dim(numbers.iter().map(Number::looked_at), ctx.span)?;
     let mut values = numbers.into_iter().map(|number| number.value);
     let Some(first) = values.next() else { return empty(args.numbers.span, "max") };
     let value = values.try_fold(first, Real::max).at(args.numbers.span)?;

@@ -82,22 +82,54 @@ pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
     outside(span, format!("an empty list has no `{what}`"))
 }
 
-/// The dimension of numbers that are compared; a bare number fits any.
-pub(super) fn common_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
-    dim_of_all(numbers, Dimension::common, span)
+/// The dimension of numbers one of which is the answer, or on the way to it; a bare number fits any but an angle, beside
+/// which only 0 says what it is.
+pub(super) fn common_dim(
+    numbers: impl Iterator<Item = Number> + Clone,
+    span: Span,
+) -> Result<Dimension> {
+    let dim = dim_of_all(numbers.clone().map(|number| number.dim), Dimension::common, span)?;
+    if dim.angle_power() == 0 {
+        return Ok(dim);
+    }
+    let holds_angle = |number: &Number| number.dim.angle_power() != 0;
+    let is_unsaid = |number: &Number| !holds_angle(number) && 0.0 < number.value.abs();
+    match (numbers.clone().find(holds_angle), numbers.clone().find(is_unsaid)) {
+        (Some(angle), Some(bare)) => {
+            let message = format!("{} and {} do not mix", bare.dim, angle.dim);
+            Diagnostic::error(Code::UnitMismatch, span, message).hint(BARE_AND_ANGLE).fail()
+        }
+        _ => Ok(dim),
+    }
+}
+
+/// The dimension of what is rounded to whole numbers, of which there are none of an angle: degrees are not radians.
+fn rounded_dim(dim: Dimension) -> Option<Dimension> {
+    (dim.angle_power() == 0).then_some(dim)
+}
+
+/// # Errors
+/// Angles.
+fn check_whole(x: Number, name: &str, span: Span) -> Result<()> {
+    if x.dim.angle_power() == 0 {
+        return Ok(());
+    }
+    let message = "an angle has no digits of its own: degrees are no radians";
+    Diagnostic::error(Code::UnitMismatch, span, message)
+        .hint(format!("in degrees: `{name}(x / 1deg) * 1deg`"))
+        .fail()
 }
 
 /// The dimension of numbers that are added; a bare number fits all but angles.
 pub(super) fn sum_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
-    dim_of_all(numbers, Dimension::sum, span)
+    dim_of_all(numbers.iter().map(|number| number.dim), Dimension::sum, span)
 }
 
-fn dim_of_all<T>(
-    numbers: &[Number<T>],
+fn dim_of_all(
+    mut dims: impl Iterator<Item = Dimension>,
     of_two: fn(Dimension, Dimension) -> Option<Dimension>,
     span: Span,
 ) -> Result<Dimension> {
-    let mut dims = numbers.iter().map(|number| number.dim);
     let first = dims.next().unwrap_or_default();
     dims.try_fold(first, |dim, next| {
         of_two(dim, next).ok_or_else(|| {

@@ -1,7 +1,8 @@
 //! `round`: the nearest whole number, or the nearest of so many digits.
 
+use super::{check_whole, rounded_dim};
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     value::{Ctx, Dimension, LocallyConstant, Maybe, Number, OnNumbers, op},
 };
 
@@ -11,7 +12,7 @@ op! {
     ///
     /// A quantity is rounded in document units; `round(x / 1in) * 1in` rounds in others.
     round in Math -> Number {
-        /// A number of any dimension.
+        /// A number that is no angle.
         x: LocallyConstant,
         /// Digits behind the point; where negative, tens, hundreds and so on.
         digits: Maybe<Spanned<i64>>,
@@ -20,26 +21,21 @@ op! {
     example "round(-2.5)" => "-3";
     example "round(pi, 3)" => "3.142";
     example "round(1234, -2)" => "1200";
-    refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own";
+    refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own: degrees are no radians";
     on_numbers OnNumbers::OneOrTwo {
-        one: (Some, f64::round),
+        one: (rounded_dim, f64::round),
         two: (with_digits, rounded_to_digits),
     };
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
     let LocallyConstant(x) = args.x;
-    let Some(digits) = args.digits.0 else { return Ok(Number { value: x.value.round(), ..x }) };
-    if x.dim.is_angle() {
-        return Diagnostic::error(
-            Code::UnitMismatch,
-            digits.span,
-            "an angle has no digits of its own",
-        )
-        .hint("in degrees: `round(x / 1deg, 1) * 1deg`")
-        .fail();
-    }
-    Ok(Number { value: rounded_to(x.value, digits.value), ..x })
+    check_whole(x, OP.name, ctx.span)?;
+    let value = match args.digits.0 {
+        None => x.value.round(),
+        Some(digits) => rounded_to(x.value, digits.value),
+    };
+    Ok(Number { value, ..x })
 }
 
 /// An angle has no digits of its own.

@@ -8,12 +8,19 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted, find_least,
-        tolerance::CONDITION_RELATIVE,
+        tolerance::{CONDITION_RELATIVE, POLE_STEP_RELATIVE},
     },
     value::{
         Callback, Ctx, Dimension, FromValue, IntoValue, Number, Real, Record, Relation, Value,
     },
 };
+
+/// How many times farther from the best place a function is asked again whether it has a pole there.
+const FARTHER: f64 = 8.0;
+
+/// By how much more it changes on the way to a pole than before, and by how many times its value is as large there.
+const POLE_GROWTH: f64 = 4.0;
+const POLE_DEPTH: f64 = 100.0;
 
 /// Which values are better.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -77,8 +84,42 @@ impl BestSearch {
                 .hint("it may not depend on its unknown; else look elsewhere")
                 .fail();
         }
+        self.check_bounded(ctx, range, (found.at, found.value), (better, &mut dim))?;
         let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
         Ok(self.answer(range.place(found.at).into_value(), value, (n_asked, "none")))
+    }
+
+    /// That the best place is no pole: there the function changes the more the nearer it is asked, on each side.
+    fn check_bounded(
+        &self,
+        ctx: &mut Ctx<'_>,
+        range: &SearchRange,
+        (at, least): (f64, f64),
+        (better, dim): (Better, &mut Option<Dimension>),
+    ) -> Result<()> {
+        let [from, to] = range.ends;
+        let step = POLE_STEP_RELATIVE * (to - from);
+        let (mut n_sides, mut n_falling) = (0, 0);
+        for way in [-step, step] {
+            if !(from..=to).contains(&(at + FARTHER * way)) {
+                continue;
+            }
+            n_sides += 1;
+            let mut ask = |at| number_at(ctx, &self.f, range, (at, &mut *dim));
+            let [near, far] =
+                [ask(at + way)?, ask(at + FARTHER * way)?].map(|value| better.sign() * value);
+            let is_steep = POLE_GROWTH * (far - near).abs() < near - least;
+            n_falling += usize::from(is_steep && POLE_DEPTH * far.abs() < least.abs());
+        }
+        if n_sides == 0 || n_falling < n_sides {
+            return Ok(());
+        }
+        let what = if better == Better::Lower { "falls" } else { "grows" };
+        let message = format!("the function {what} without bound near {}", range.place_text(at));
+        Diagnostic::error(Code::NoAnswer, self.f.span, message)
+            .label("so no value is the best")
+            .hint("it has a pole there: let the range end beside it")
+            .fail()
     }
 
     /// The answer, or the record that tells how it was found.

@@ -1,14 +1,16 @@
 //! `ode`: the curve along which a point moves that changes at a known rate.
 
+use std::sync::Arc;
+
 use super::{MOST_LABELS, SearchRange, no_derivatives, six_digits, unknowns::numbers};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        ConstructionReport, GeomError, NurbsCurve, ReportEntry, Trajectory, TrajectoryError,
-        ceiling::TRAJECTORY_STEPS, find_trajectory, glam::DVec3,
+        ConstructionReport, GeomError, Jet, NurbsCurve, PointSlopes, ReportEntry, Trajectory,
+        TrajectoryError, VariedCurve, ceiling::TRAJECTORY_STEPS, find_trajectory,
     },
     ops::positive,
-    value::{At, Callback, Ctx, IntoValue, Length, Range, Value, op},
+    value::{At, Callback, Ctx, FromValue, IntoValue, Length, Range, Real, Value, Vector, op},
 };
 
 op! {
@@ -23,7 +25,8 @@ op! {
     /// errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
     /// `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. Where the point
     /// grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
-    /// the place. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
+    /// the place. Derivatives pass through, by what the function and the start depend on, within the tolerance.
+    /// Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
     ode in Math -> Value {
         /// A function of the variable and the point, or the list of points, that yields the derivative.
         f: Spanned<Callback>,
@@ -38,6 +41,7 @@ op! {
     example "ode((t, p) => p, start = (1, 0), range = 0..1, tolerance = 1e-10)(1).x ~= e within 1e-10" => "true";
     example "ode((s, p) => (cos(p.z), sin(p.z), s), start = (0, 0), range = 0..2).end.z ~= 2" => "true";
     example "[for c in ode((t, s) => [s[1], -s[0]], start = [(1, 0), (0, 1)], range = 0..pi): c.end] ~= [(-1, 0), (0, -1)]" => "true";
+    example "gradient(k => ode((t, p) => (k * p.x, 0), start = (1, 0), range = 0..1, tolerance = 1e-10).end.x, 2) ~= e^2 within 1e-8" => "true";
     refuses "ode((t, p) => (p.x^2, 0), start = (1, 0), range = 0..2)" => "E0504: the trajectory ends at 1";
     refuses "ode((t, p) => 1, start = (0, 0), range = 0..1)" => "E0301: the function must yield a point, but it yields the number 1";
     refuses "ode((t, p) => p, start = 1, range = 0..1)" => "E0301: a trajectory starts from a point or a list of points, found the number 1";
@@ -55,20 +59,28 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         Some(tolerance) => positive("the tolerance", tolerance)?,
         None => ctx.tolerance.distance,
     };
-    if ctx.caller.is_varying(&args.f.value.0) {
+    let state = match ctx.caller.is_varying(&args.f.value.0) && state.like.is_none() {
+        true => state.varying_as(ctx, &args.f, &range)?,
+        false => state,
+    };
+    let is_known = state.like.as_ref().is_none_or(|like| like.n_variables().is_some());
+    if !is_known {
         return no_derivatives(args.f.span);
     }
-    let start: Vec<f64> = state.points.iter().flat_map(DVec3::to_array).collect();
+    let start = state.start();
     let rate = |place, parts: &[f64]| state.rate(ctx, &args.f, &range, (place, parts));
     let found = find_trajectory(rate, &start, range.ends, tolerance)
         .map_err(|err| refusal(err, args.f.span, &range, &state))?;
     state.curves(&found).at(ctx.span)
 }
 
-/// What changes: one point, or several.
+/// What changes: one point, or several, with their slopes where derivatives are carried along. These follow the
+/// equation that the derivative of the trajectory by a variable fulfils. Hairer, Nørsett & Wanner, §I.14.
 struct State {
-    points: Vec<DVec3>,
+    points: Vec<Vector>,
     is_list: bool,
+    /// The shape of what is carried along.
+    like: Option<Jet>,
 }
 
 impl State {
@@ -82,23 +94,69 @@ impl State {
                 .hint("numbers are written as coordinates: `(0, 1)` for two of them")
         };
         let point = |value: &Value| match value {
-            Value::Point(point) => Ok(*point),
-            other if other.is_jet() => no_derivatives(start.span),
+            Value::Point(_) | Value::JetPoint(_) => {
+                Vector::from_value(value, start.span).or_else(|_| refused(value).fail())
+            }
             other => refused(other).fail(),
         };
+        let like = |points: &[Vector]| points.iter().find_map(carried);
         match &start.value {
             Value::List(items) if items.is_empty() => refused(&start.value).fail(),
             Value::List(items) => {
-                let points = items.iter().map(point).collect::<Result<_>>()?;
-                Ok(Self { points, is_list: true })
+                let points = items.iter().map(&point).collect::<Result<Vec<Vector>>>()?;
+                Ok(Self { like: like(&points), points, is_list: true })
             }
-            value => Ok(Self { points: vec![point(value)?], is_list: false }),
+            value => {
+                let points = vec![point(value)?];
+                Ok(Self { like: like(&points), points, is_list: false })
+            }
         }
+    }
+
+    /// The same with what a function that varies yields at the start.
+    fn varying_as(
+        mut self,
+        ctx: &mut Ctx<'_>,
+        f: &Spanned<Callback>,
+        range: &SearchRange,
+    ) -> Result<Self> {
+        let found = self.asked(ctx, f, range, (range.ends[0], &self.start()))?;
+        self.like = found.into_iter().find_map(|part| match part {
+            Real::Jet(jet) => Some(jet),
+            Real::Plain(_) => None,
+        });
+        Ok(self)
+    }
+
+    /// The coordinates of all points, then their slopes by each variable in turn.
+    fn start(&self) -> Vec<f64> {
+        self.flat(self.points.iter().flat_map(Vector::coordinates).collect())
+    }
+
+    fn flat(&self, parts: Vec<Real>) -> Vec<f64> {
+        let mut all: Vec<f64> = parts.iter().map(Real::value).collect();
+        if let Some(like) = &self.like {
+            let jets: Vec<Jet> = parts.iter().map(|part| part.like(like)).collect();
+            for variable in 0..like.slopes().len() {
+                all.extend(jets.iter().map(|jet| jet.slopes()[variable]));
+            }
+        }
+        all
     }
 
     /// The state of these numbers.
     fn value(&self, parts: &[f64]) -> Value {
-        let mut points = parts.chunks(3).map(|part| Value::Point(DVec3::from_slice(part)));
+        let n = 3 * self.points.len();
+        let real = |idx: usize| match &self.like {
+            Some(like) => {
+                let slopes = (1..=like.slopes().len()).map(|variable| parts[variable * n + idx]);
+                let all: Vec<f64> = std::iter::once(parts[idx]).chain(slopes).collect();
+                Real::Jet(like.with_coefficients(&all))
+            }
+            None => Real::Plain(parts[idx]),
+        };
+        let point = |first: usize| Vector::new([0, 1, 2].map(|axis| real(first + axis)));
+        let mut points = (0..n).step_by(3).map(|first| point(first).into_value());
         match self.is_list {
             true => Value::list(points.collect()),
             false => points.next().unwrap_or(Value::None),
@@ -108,7 +166,7 @@ impl State {
     /// The state of these numbers as messages tell it.
     fn rounded(&self, parts: &[f64]) -> Value {
         let six = |part: &f64| six_digits(*part, None).parse().unwrap_or(*part);
-        self.value(&parts.iter().map(six).collect::<Vec<f64>>())
+        self.value(&parts.iter().map(six).collect::<Vec<f64>>()).looked_at()
     }
 
     /// A function that fits, for hints.
@@ -127,6 +185,16 @@ impl State {
         range: &SearchRange,
         (place, parts): (f64, &[f64]),
     ) -> Result<Vec<f64>> {
+        self.asked(ctx, f, range, (place, parts)).map(|parts| self.flat(parts))
+    }
+
+    fn asked(
+        &self,
+        ctx: &mut Ctx<'_>,
+        f: &Spanned<Callback>,
+        range: &SearchRange,
+        (place, parts): (f64, &[f64]),
+    ) -> Result<Vec<Real>> {
         let args = [range.place(place).into_value(), self.value(parts)];
         let value = ctx.call(&f.value, &args).map_err(|mut found| {
             if found.code == Code::BadCall && found.primary.span == ctx.span {
@@ -155,10 +223,10 @@ impl State {
         }
         let mut all = Vec::with_capacity(parts.len());
         numbers(&value, f.span, &mut all)?;
-        Ok(all.into_iter().map(|part| part.value.value()).collect())
+        Ok(all.into_iter().map(|part| part.value).collect())
     }
 
-    fn misfit(&self, value: &Value, span: Span) -> Result<Vec<f64>> {
+    fn misfit(&self, value: &Value, span: Span) -> Result<Vec<Real>> {
         let n = self.points.len();
         let wanted = match self.is_list {
             true => format!(
@@ -188,8 +256,18 @@ impl State {
             .with("steps", found.nodes.len() - 1)
             .with("evaluations", found.n_evaluations);
         let curve = |idx: usize| {
-            let curve = NurbsCurve::of_trajectory(found, 3 * idx)?;
-            Ok(curve.with_report(report.clone()).into_value())
+            let curve = NurbsCurve::of_trajectory(found, 3 * idx)?.with_report(report.clone());
+            let Some(like) = &self.like else { return Ok(curve.into_value()) };
+            let (n, n_variables) = (self.points.len(), like.slopes().len());
+            let slopes = |variable: usize| -> std::result::Result<_, GeomError> {
+                let slopes = NurbsCurve::of_trajectory(found, 3 * ((variable + 1) * n + idx))?;
+                let points = slopes.control_points().iter();
+                Ok((variable, points.map(|point| point.truncate().extend(0.0)).collect()))
+            };
+            let by_variable =
+                (0..n_variables).map(slopes).collect::<std::result::Result<_, _>>()?;
+            let slopes = PointSlopes::new(n_variables, curve.control_points().len(), by_variable)?;
+            Ok(Value::JetCurve(Arc::new(VariedCurve::new(Arc::new(curve), slopes)?)))
         };
         match self.is_list {
             true => Ok(Value::list(
@@ -197,6 +275,14 @@ impl State {
             )),
             false => curve(0),
         }
+    }
+}
+
+/// The jet of a point that carries derivatives.
+fn carried(point: &Vector) -> Option<Jet> {
+    match point {
+        Vector::Jets(jets) => Some(jets[0].clone()),
+        Vector::Plain(_) => None,
     }
 }
 

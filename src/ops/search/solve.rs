@@ -179,6 +179,9 @@ fn proven_roots(
     Ok(roots)
 }
 
+/// How much nearer to a root its slope is looked at again.
+const NEARER: f64 = 0.125;
+
 /// A root of a function that takes what carries derivatives from around it: with those that the root has,
 /// since the function stays zero there. Griewank & Walther, *Evaluating Derivatives*, §15.1.
 fn varying(
@@ -190,16 +193,25 @@ fn varying(
     let span = function.span;
     let mut ask = |at: Value| number(&asked(ctx, &function.value, &at)?, span);
     let reach = DIFFERENCE_RELATIVE * (range.ends[1] - range.ends[0]);
-    let [low, high] = [(root - reach).max(range.ends[0]), (root + reach).min(range.ends[1])];
-    let [before, behind] =
-        [ask(range.place(low).into_value())?, ask(range.place(high).into_value())?];
-    let steepness = (behind.value.value() - before.value.value()) / (high - low);
+    let mut over = |reach: f64| -> Result<(f64, f64, f64)> {
+        let [low, high] = [(root - reach).max(range.ends[0]), (root + reach).min(range.ends[1])];
+        let [before, behind] =
+            [ask(range.place(low).into_value())?, ask(range.place(high).into_value())?];
+        let [before, behind] = [before.value.value(), behind.value.value()];
+        Ok(((behind - before) / (high - low), high - low, before.abs().max(behind.abs())))
+    };
+    let (steepness, width, size) = over(reach)?;
+    let (nearer, ..) = over(NEARER * reach)?;
     let Real::Jet(like) = ask(range.place(root).into_value())?.value else {
         return Ok(range.place(root).into_value());
     };
-    let size = before.value.value().abs().max(behind.value.value().abs());
-    if steepness.abs() * (high - low) <= DIFFERENCE_RELATIVE * size {
-        let what = "a root where the function only touches 0";
+    let is_touching = steepness.abs() * width <= DIFFERENCE_RELATIVE * size;
+    // A slope that goes on to change as it is looked at from nearer by is 0, or has no end.
+    if is_touching || 0.5 * steepness.abs() < (nearer - steepness).abs() {
+        let what = match is_touching {
+            true => "a root where the function only touches 0",
+            false => "a root where the function has no slope",
+        };
         return Err(GeomError::from(LocalError::NotDifferentiable { what, at: root })).at(span);
     }
     // Each step is right to one order more; the difference is a little beside the slope, so that two more

@@ -58,6 +58,7 @@ pub(super) fn solved(
             .hint("it may not depend on the unknowns; else start elsewhere")
             .fail();
     }
+    check_count(&unknowns, &found, function.span, &mut ask)?;
     let is_overdetermined = unknowns.values.len() < found.residuals.len();
     if is_root || is_overdetermined && found.is_settled {
         let place = match is_varying {
@@ -77,6 +78,33 @@ pub(super) fn solved(
             six_digits(left, None),
             six_digits(first, None)
         ))
+        .fail()
+}
+
+/// That there are as many equations as unknowns on which they depend, or more: of a point in the plane nothing
+/// depends on z.
+fn check_count(
+    unknowns: &Unknowns,
+    found: &LeastSquares,
+    span: Span,
+    ask: &mut dyn FnMut(&Value) -> Result<Vec<Real>>,
+) -> Result<()> {
+    let n_equations = found.residuals.len();
+    if unknowns.values.len() <= n_equations {
+        return Ok(());
+    }
+    let slopes = slopes(unknowns, &found.unknowns, ask)?;
+    let moves = |column: &usize| slopes.iter().any(|row| row[*column].abs() > 0.0);
+    let n_moving = (0..unknowns.values.len()).filter(moves).count();
+    if n_moving <= n_equations {
+        return Ok(());
+    }
+    let numbers = if n_equations == 1 { "number" } else { "numbers" };
+    let message = format!(
+        "the function yields {n_equations} {numbers} for {n_moving} unknowns, which have no single root"
+    );
+    Diagnostic::error(Code::NoAnswer, span, message)
+        .hint("let it yield as many as there are unknowns, or more; of what is left free, `minimize` with `subject` finds the best")
         .fail()
 }
 

@@ -75,6 +75,11 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
     let diagnostic =
         Diagnostic::error(Code::UnknownUnit, span, format!("`{suffix}` is not a unit"))
             .label("unknown unit");
+    if let Some(unit) = power_of_unit(suffix) {
+        return diagnostic
+            .hint(format!("did you mean `{digits}{unit}`?"))
+            .fix(Fix::replace(span, format!("{digits}{unit}")));
+    }
     // Of equally near units the millimetre.
     let known = || ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name));
     let is_constant = matches!(suffix, "pi" | "tau" | "π");
@@ -94,6 +99,16 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
             ))
             .fix(Fix::replace(span, format!("{digits} * {suffix}"))),
     }
+}
+
+/// An area or a volume as it is written: `mm^2` for `mm2`.
+fn power_of_unit(suffix: &str) -> Option<String> {
+    let powers = [(['2', '²'], 2), (['3', '³'], 3)];
+    powers.iter().find_map(|(digits, power)| {
+        let unit = suffix.strip_suffix(digits)?;
+        Unit::from_name(unit)?.millimetres()?;
+        Some(format!("{unit}^{power}"))
+    })
 }
 
 /// The unit that people write out or write otherwise.

@@ -5,6 +5,7 @@ pub(super) mod closest;
 pub(super) mod defects;
 pub(super) mod deviation;
 pub(super) mod everywhere;
+pub(super) mod function_jumps;
 pub(super) mod joint;
 pub(super) mod local;
 pub(super) mod mass;

@@ -196,12 +196,13 @@ pub(crate) type QuantityKinds<const N: usize> = [usize; N];
 /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
 ///
 /// # Errors
-/// As [`Surface::point_at`].
+/// As [`Surface::check_function`].
 pub(crate) fn integral<const N: usize, D: Into<Density<N>>>(
     surface: &Surface,
     kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
+    surface.check_function()?;
     integral_over(&parts(surface), kinds, density)
 }
 

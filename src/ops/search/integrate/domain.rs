@@ -151,12 +151,13 @@ fn along(
     integrand: &mut Integrand<'_, '_>,
     tolerances: Tolerances,
 ) -> Result<Found> {
-    let span = integrand.span();
     let pieces = pieces(curve.domain(), curve.nurbs().ok().map(|it| it.knots().as_slice()));
     let mut total = Found::default();
     for ends in &pieces {
         let text = |t| curve.point_at(t).map_or_else(|_| rounded(t), place_text);
-        let found = settled(span, *ends, shared(tolerances, pieces.len()), text, |t| {
+        let range = integrand.range(*ends);
+        let found = settled(&range, shared(tolerances, pieces.len()), text, |t| {
+            let t = t.value();
             let jet = match integrand.carried() {
                 Some(_) => curve.jet_of(&Real::Plain(t)).at(place)?,
                 None => None,
@@ -172,7 +173,7 @@ fn along(
                     [Vector::Plain(found[0]), Vector::Plain(found[1])]
                 }
             };
-            integrand.at(&[point.into_value()], &speed.norm().at(place)?).map(Found::exact)
+            integrand.at(&[point.into_value()], &speed.norm().at(place)?)
         })?;
         total = total.plus(found);
     }
@@ -185,7 +186,7 @@ fn across(
     integrand: &mut Integrand<'_, '_>,
     tolerances: Tolerances,
 ) -> Result<Found> {
-    let span = integrand.span();
+    surface.check_function().at(place)?;
     let nurbs = surface.nurbs().ok();
     let along_u = pieces(surface.domain_u(), nurbs.map(|it| it.knots_u().as_slice()));
     let along_v = pieces(surface.domain_v(), nurbs.map(|it| it.knots_v().as_slice()));
@@ -196,20 +197,21 @@ fn across(
         let [own, inner] = nested(tolerances, ends_u[1] - ends_u[0]);
         for ends_v in &along_v {
             let middle = 0.5 * (ends_v[0] + ends_v[1]);
+            let range = integrand.range(*ends_u);
             let found = settled(
-                span,
-                *ends_u,
+                &range,
                 own,
                 |u| text(u, middle),
                 |u| {
+                    let (u, range) = (u.value(), integrand.range(*ends_v));
                     settled(
-                        span,
-                        *ends_v,
+                        &range,
                         inner,
                         |v| text(u, v),
                         |v| {
-                            let (point, stretch) = element(surface, [u, v], place, integrand)?;
-                            integrand.at(&[point.into_value()], &stretch).map(Found::exact)
+                            let (point, stretch) =
+                                element(surface, [u, v.value()], place, integrand)?;
+                            integrand.at(&[point.into_value()], &stretch)
                         },
                     )
                 },

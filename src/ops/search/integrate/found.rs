@@ -2,7 +2,7 @@
 
 use crate::{
     kernel::glam::DVec3,
-    value::{Value, rounded},
+    value::{Switch, Value, rounded},
 };
 
 /// How far an integral may be off: by a fraction of the integral of the function's size, or by so much.
@@ -14,13 +14,15 @@ pub(super) struct Found {
     pub(super) value: Vec<f64>,
     pub(super) error: f64,
     pub(super) size: f64,
+    /// What decided which way the function goes, where derivatives are carried along; of several places those of the first.
+    pub(super) switches: Vec<Switch>,
 }
 
 impl Found {
     /// Values that are no integrals.
     pub(super) fn exact(value: Vec<f64>) -> Self {
         let size = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
-        Self { value, error: 0.0, size }
+        Self { value, error: 0.0, size, switches: Vec::new() }
     }
 
     pub(super) fn plus(mut self, other: Self) -> Self {
@@ -42,6 +44,11 @@ pub(super) fn shared([relative, absolute]: Tolerances, n_parts: usize) -> Tolera
 /// The tolerances of an integral over a length of integrals, which have errors of their own, and of these.
 pub(super) fn nested([relative, absolute]: Tolerances, length: f64) -> [Tolerances; 2] {
     [[10.0 * relative, 0.5 * absolute], [relative, 0.5 * absolute / length.abs()]]
+}
+
+/// A number as messages tell it.
+pub(super) fn six_digit_place(at: f64) -> String {
+    rounded(at)
 }
 
 /// A point as messages tell it, with six digits.

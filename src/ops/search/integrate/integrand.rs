@@ -3,10 +3,11 @@
 use super::{
     super::{six_digits, unknowns},
     found::{Found, Tolerances},
+    moving_cuts::{MovingCuts, SeenPlace},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{IntegralError, Jet, find_sized_integral},
+    kernel::{IntegralError, Jet, ceiling::INTEGRAL_EVALUATIONS, find_sized_integral},
     value::{Callback, Ctx, Dimension, Number, Real, Value},
 };
 
@@ -20,32 +21,41 @@ pub(super) struct Integrand<'a, 'c> {
     pub(super) like: Option<Jet>,
     /// How often it was asked.
     pub(super) n_asked: usize,
-    /// The shape of the derivatives whose coefficients are all wanted, and whether the function itself has some.
-    carried: Option<(Jet, bool)>,
+    /// Whether it took something from around it that carries derivatives.
+    varies: bool,
+    /// The shape of the derivatives whose coefficients are all wanted.
+    carried: Option<Jet>,
 }
 
 impl<'a, 'c> Integrand<'a, 'c> {
     pub(super) fn new(ctx: &'a mut Ctx<'c>, f: &'a Spanned<Callback>) -> Self {
-        Self { ctx, f, known: None, like: None, n_asked: 0, carried: None }
+        let varies = ctx.caller.is_varying(&f.value.0);
+        Self { ctx, f, known: None, like: None, n_asked: 0, varies, carried: None }
     }
 
     /// Lets it answer with the coefficients of all derivatives.
-    pub(super) fn carry(&mut self, like: Jet, is_varying: bool) {
-        self.carried = Some((like, is_varying));
+    pub(super) fn carry(&mut self, like: Jet) {
+        self.carried = Some(like);
     }
 
     /// The shape of the derivatives that are wanted.
     pub(super) fn carried(&self) -> Option<&Jet> {
-        self.carried.as_ref().map(|(like, _)| like)
+        self.carried.as_ref()
     }
 
     /// Whether it carries derivatives itself.
     pub(super) fn is_varying(&self) -> bool {
-        matches!(&self.carried, Some((_, true)))
+        self.varies
     }
 
     pub(super) fn span(&self) -> Span {
         self.f.span
+    }
+
+    /// A range of it that moves by its ends alone, if at all.
+    pub(super) fn range(&self, ends: [f64; 2]) -> IntegralRange {
+        let carried = self.carried().cloned();
+        IntegralRange { span: self.span(), ends, carried, can_move: false }
     }
 
     /// The dimension of its values.
@@ -53,10 +63,17 @@ impl<'a, 'c> Integrand<'a, 'c> {
         self.known.map_or(Dimension::NONE, |(_, dim)| dim)
     }
 
-    /// The components at a place, times a factor.
-    pub(super) fn at(&mut self, args: &[Value], factor: &Real) -> Result<Vec<f64>> {
+    /// The components at a place, times a factor; with what decided, where derivatives are carried along.
+    pub(super) fn at(&mut self, args: &[Value], factor: &Real) -> Result<Found> {
         self.n_asked += 1;
-        let value = self.asked(args)?;
+        if INTEGRAL_EVALUATIONS < self.n_asked {
+            return self.too_often(args);
+        }
+        let is_noted = self.carried.is_some() || self.varies;
+        let outer = self.ctx.caller.note_switches(is_noted.then(Vec::new));
+        let value = self.asked(args);
+        let switches = self.ctx.caller.note_switches(outer).unwrap_or_default();
+        let value = value?;
         let mut parts: Vec<Number<Real>> = Vec::new();
         match &value {
             Value::List(_) | Value::Record(_) => {
@@ -65,19 +82,32 @@ impl<'a, 'c> Integrand<'a, 'c> {
             value => unknowns::numbers(value, self.f.span, &mut parts)?,
         }
         self.check(&parts, &value, args)?;
-        if let Some((like, _)) = &self.carried {
+        if let Some(like) = &self.carried {
             let factor = factor.like(like);
             let part =
                 |part: &Number<Real>| part.value.like(like).times(&factor).coefficients().to_vec();
-            return Ok(parts.iter().flat_map(part).collect());
+            let value = parts.iter().flat_map(part).collect();
+            return Ok(Found { switches, ..Found::exact(value) });
         }
         if self.like.is_none() {
-            self.like = parts.iter().find_map(|part| match &part.value {
+            // Where only its comparisons depend on something it yields plain numbers.
+            let margins = switches.iter().filter_map(|switch| switch.margin.as_ref());
+            let reals = parts.iter().map(|part| &part.value).chain(margins);
+            self.like = reals.into_iter().find_map(|real| match real {
                 Real::Jet(jet) => Some(jet.clone()),
                 Real::Plain(_) => None,
             });
         }
-        Ok(parts.iter().map(|part| factor.value() * part.value.value()).collect())
+        Ok(Found::exact(parts.iter().map(|part| factor.value() * part.value.value()).collect()))
+    }
+
+    fn too_often<T>(&self, args: &[Value]) -> Result<T> {
+        let message =
+            format!("the integral does not settle within {INTEGRAL_EVALUATIONS} evaluations");
+        Diagnostic::error(Code::NoAnswer, self.f.span, message)
+            .label(format!("asked at {} last", place(args)))
+            .hint("a step or an edge that runs across an area takes many: let the ranges end there, `integrate(x => integrate(y => f(x, y), 0..edge(x)), 0..1)`, or give a `tolerance`, such as 1e-6")
+            .fail()
     }
 
     fn asked(&mut self, args: &[Value]) -> Result<Value> {
@@ -113,28 +143,57 @@ fn place(args: &[Value]) -> Value {
     }
 }
 
+/// What an integral over one number is over.
+#[derive(Clone)]
+pub(super) struct IntegralRange {
+    /// The function.
+    pub(super) span: Span,
+    pub(super) ends: [f64; 2],
+    /// The shape of the derivatives that are carried along.
+    pub(super) carried: Option<Jet>,
+    /// Whether the function can be asked at places that carry derivatives.
+    pub(super) can_move: bool,
+}
+
 /// An integral over one number, with its refusal; what it adds up may be integrals itself, whose largest error
 /// counts everywhere.
 pub(super) fn settled(
-    span: Span,
-    ends: [f64; 2],
+    range: &IntegralRange,
     [relative, absolute]: Tolerances,
     place: impl Fn(f64) -> String,
-    mut ask: impl FnMut(f64) -> Result<Found>,
+    mut ask: impl FnMut(Real) -> Result<Found>,
 ) -> Result<Found> {
-    let mut most = 0.0_f64;
+    let (span, ends) = (range.span, range.ends);
+    let (mut most, mut seen) = (0.0_f64, Vec::new());
     let asked = |at| {
-        let found = ask(at)?;
+        let found = ask(Real::Plain(at))?;
         most = most.max(found.error);
+        if range.carried.is_some() {
+            seen.push(SeenPlace { at, switches: found.switches });
+        }
         Ok((found.value, found.size))
     };
     match find_sized_integral(asked, ends, relative, absolute) {
         Ok(found) => {
             let error = found.error + most * (ends[1] - ends[0]);
-            Ok(Found { value: found.value, error, size: found.size })
+            let switches = seen.first().map_or_else(Vec::new, |place| place.switches.clone());
+            let total = Found { value: found.value, error, size: found.size, switches };
+            let Some(like) = &range.carried else { return Ok(total) };
+            let cuts = MovingCuts { span, like, ends, can_move: range.can_move, seen };
+            Ok(total.plus(Found::exact(cuts.gain(&mut ask)?)))
         }
         Err(IntegralError::Function(found)) => Err(found),
-        Err(IntegralError::Unsettled { at, error }) => {
+        Err(IntegralError::Unsettled { at, error, is_noise: true }) => {
+            let message =
+                format!("the function has too few digits for the integral near {}", place(at));
+            // A power of ten above.
+            let enough = libm::pow(10.0, libm::log10(error).ceil() + 1.0);
+            Diagnostic::error(Code::NoAnswer, span, message)
+                .label(format!("halves of the range are off as far as the whole, by {}", six_digits(error, None)))
+                .hint(format!("what it measures may be known within a tolerance only: give `tolerance = {enough:e}`"))
+                .fail()
+        }
+        Err(IntegralError::Unsettled { at, error, .. }) => {
             let message = format!("the integral does not settle near {}", place(at));
             let left = match error.is_finite() {
                 true => format!("it may be off by {} still", six_digits(error, None)),

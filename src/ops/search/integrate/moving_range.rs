@@ -3,13 +3,19 @@
 use super::{
     super::SearchRange,
     found::{Found, Tolerances, nested},
-    integrand::{Integrand, settled},
+    integrand::{IntegralRange, Integrand, settled},
 };
 use crate::{
-    diag::{Result, Spanned},
+    diag::{Code, Result, Spanned},
     kernel::{Jet, jet::moved_end},
     value::{IntoValue, Number, Range, Real, Value},
 };
+
+/// Beyond this even squares leave the numbers: 1e154² is 1e308.
+const FAR: f64 = 1e150;
+
+/// What to do about that.
+const TOO_FAR: &str = "the function is asked all over the range: end it where what is left no longer counts, or write what stays among numbers, `(1/x)^2` for `1/x^2`";
 
 /// A range to integrate over, in either sense.
 pub(super) struct MovingRange {
@@ -69,9 +75,9 @@ pub(super) fn over_box(
     tolerances: Tolerances,
 ) -> Result<Found> {
     let Some((first, rest)) = ranges.split_first() else {
-        return integrand.at(known, &Real::Plain(1.0)).map(Found::exact);
+        return integrand.at(known, &Real::Plain(1.0));
     };
-    let (span, [low, high]) = (integrand.span(), first.range.ends);
+    let [low, high] = first.range.ends;
     let is_backwards = first.ends[1].value() < first.ends[0].value();
     let [own, inner] = match rest {
         [] => [tolerances; 2],
@@ -90,8 +96,12 @@ pub(super) fn over_box(
     };
     let mut total = if low < high && !is_still {
         let place = |at| first.range.place_text(at);
-        let asked = |at| ask(&mut *integrand, Real::Plain(at));
-        settled(span, [low, high], own, place, asked)?
+        let over = IntegralRange { can_move: true, ..integrand.range([low, high]) };
+        let asked = |at| ask(&mut *integrand, at);
+        settled(&over, own, place, asked).map_err(|found| {
+            let is_far = FAR < low.abs().max(high.abs()) && found.code == Code::Domain;
+            if is_far { Box::new(found.hint(TOO_FAR)) } else { found }
+        })?
     } else {
         let n = ask(integrand, Real::Plain(low))?.value.len();
         Found::exact(vec![0.0; n])

@@ -2,7 +2,7 @@
 
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
-    integrand::{Integrand, settled},
+    integrand::{IntegralRange, Integrand, settled},
 };
 use crate::{
     diag::Result,
@@ -70,7 +70,7 @@ fn rough_size(strip: &AreaStrip<'_>, integrand: &mut Integrand<'_, '_>) -> Resul
         for along in LOOKS {
             let (point, stretch) = strip.at([start + along * width, y]);
             let factor = Real::Plain(rate * width * stretch);
-            sum += Found::exact(integrand.at(&[Value::Point(point)], &factor)?).size;
+            sum += integrand.at(&[Value::Point(point)], &factor)?.size;
         }
     }
     Ok(sum / (LOOKS.len() * LOOKS.len()) as f64)
@@ -81,7 +81,7 @@ fn over_strip(
     integrand: &mut Integrand<'_, '_>,
     tolerances: Tolerances,
 ) -> Result<Found> {
-    let (span, [own, inner]) = (integrand.span(), nested(tolerances, 1.0));
+    let [own, inner] = nested(tolerances, 1.0);
     let text = |x, y| {
         let dust = |part: f64| part.abs() < PARAMETER_RELATIVE * strip.across().length();
         let point = strip.at([x, y]).0;
@@ -92,19 +92,22 @@ fn over_strip(
         let places = strip.places_at(y);
         text(0.5 * (places[0] + places[places.len() - 1]), y)
     };
-    settled(span, [0.0, 1.0], own, middle, |s| {
+    settled(&integrand.range([0.0, 1.0]), own, middle, |s| {
+        let s = s.value();
         let (y, rate) = height(strip, s);
         let places = strip.places_at(y);
         let inner = shared(inner, places.len() - 1);
+        let range = integrand.range([0.0, 1.0]);
         let mut ask = |x: f64, factor: f64| {
             let (point, stretch) = strip.at([x, y]);
             let factor = Real::Plain(factor * stretch);
-            integrand.at(&[Value::Point(point)], &factor).map(Found::exact)
+            integrand.at(&[Value::Point(point)], &factor)
         };
         let mut total = Found::default();
         for ends in places.windows(2).filter(|ends| ends[0] < ends[1]) {
             let ends = [ends[0], ends[1]];
-            total = total.plus(settled(span, ends, inner, |x| text(x, y), |x| ask(x, rate))?);
+            let range = IntegralRange { ends, ..range.clone() };
+            total = total.plus(settled(&range, inner, |x| text(x, y), |x| ask(x.value(), rate))?);
         }
         match total.value.is_empty() {
             true => ask(places[0], 0.0),

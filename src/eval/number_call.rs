@@ -1,0 +1,59 @@
+//! Calls of built-ins with numbers: plain ones that are computed at once, and what is decided by those that carry
+//! derivatives.
+
+use crate::{
+    diag::Span,
+    value::{Call, Dimension, Number, OnNumbers, Op, Real, Switch, Value},
+};
+
+/// Arguments up to which a call of numbers alone is computed at once.
+const FEW: usize = 4;
+
+/// What an operation on numbers makes of plain ones that stand by position; none where more care is needed.
+pub(super) fn on_few_numbers(ops: &[&'static Op], call: &Call) -> Option<Value> {
+    let ([op], n) = (ops, call.positional.len()) else { return None };
+    let of = op.on_numbers.filter(|_| call.named.is_empty() && (1..=FEW).contains(&n))?;
+    let (mut values, mut dims) = ([0.0; FEW], [Dimension::NONE; FEW]);
+    for (arg, (value, dim)) in call.positional.iter().zip(values.iter_mut().zip(&mut dims)) {
+        let Value::Number(number) = arg.value else { return None };
+        // An angle without a unit may be meant in degrees: it is looked at where it is written.
+        if matches!(of, OnNumbers::OfAngle(_))
+            && number.dim.is_bare()
+            && number.value.fract() == 0.0
+        {
+            return None;
+        }
+        (*value, *dim) = (number.value, number.dim);
+    }
+    let dim = of.dimension(&dims[..n])?;
+    let value = of.of(&values[..n]);
+    value.is_finite().then_some(Value::Number(Number { value, dim }))
+}
+
+/// The arguments that are numbers and carry derivatives.
+pub(super) fn numbers_with_derivatives(call: &Call) -> Vec<Real> {
+    let values = call.positional.iter().chain(call.named.iter().map(|(_, value)| value));
+    let real = |value: &Value| match value {
+        Value::Jet(number) => Some(number.value.clone()),
+        _ => None,
+    };
+    values.filter_map(|arg| real(&arg.value)).collect()
+}
+
+/// What a built-in decided that answers a number without derivatives to one that carries them, as `floor` does, or
+/// one of its arguments, as `max` does, or its opposite.
+pub(super) fn switch(asked: &[Real], value: &Value, span: Span) -> Option<Switch> {
+    match value {
+        Value::Number(number) => {
+            let margin = asked.first().cloned()?;
+            Some(Switch { span, state: number.value, margin: Some(margin) })
+        }
+        Value::Jet(number) => {
+            let own = |real: &Real| *real == number.value || real.scaled(-1.0) == number.value;
+            let chosen = asked.iter().position(own)?;
+            let sign = if asked[chosen] == number.value { 1.0 } else { -1.0 };
+            Some(Switch { span, state: sign * (chosen + 1) as f64, margin: None })
+        }
+        _ => None,
+    }
+}

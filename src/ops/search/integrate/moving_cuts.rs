@@ -1,0 +1,208 @@
+//! Places at which a function under an integral goes another way, where derivatives are carried along: as such a
+//! place moves, the integral gains what the function is on the one side and loses what it is on the other.
+//!
+//! Which way the function goes is told by its comparisons. Between two neighbouring places at which it was asked and
+//! goes different ways the change is found by bisection; how it moves follows from what is compared there, by
+//! the theorem of implicit functions. Leibniz' rule, as for the ends of a range.
+
+use super::found::{Found, six_digit_place};
+use crate::{
+    diag::{Code, Diagnostic, Result, Span},
+    kernel::{
+        Jet,
+        jet::moved_end,
+        tolerance::{SWITCH_ALIKE_RELATIVE, SWITCH_STEP_RELATIVE},
+    },
+    value::{Real, Switch},
+};
+
+/// Changes between two neighbouring places.
+const MOST_CHANGES: usize = 8;
+
+/// Where between two places the function is asked, the second where it fails at the first.
+const SHARES: [f64; 2] = [0.5, 0.4375];
+
+/// All bits of a number.
+const HALVINGS: usize = 64;
+
+/// The derivative at the end of four steps, by the values at all their ends.
+const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
+
+/// A place at which the function was asked.
+#[derive(Clone)]
+pub(super) struct SeenPlace {
+    pub(super) at: f64,
+    pub(super) switches: Vec<Switch>,
+}
+
+/// What is known of an integral.
+pub(super) struct MovingCuts<'a> {
+    pub(super) span: Span,
+    /// The shape of what is carried along.
+    pub(super) like: &'a Jet,
+    pub(super) ends: [f64; 2],
+    /// Whether the function can be asked at places that carry derivatives.
+    pub(super) can_move: bool,
+    pub(super) seen: Vec<SeenPlace>,
+}
+
+/// Both sides of a place, with the number of what goes another way.
+struct Cut {
+    sides: [(f64, Found); 2],
+    number: usize,
+}
+
+fn is_like(a: &[Switch], b: &[Switch]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_like(b))
+}
+
+impl MovingCuts<'_> {
+    /// What the integral gains.
+    pub(super) fn gain(mut self, ask: &mut dyn FnMut(Real) -> Result<Found>) -> Result<Vec<f64>> {
+        self.seen.sort_by(|a, b| a.at.total_cmp(&b.at));
+        let mut sum = Vec::new();
+        for idx in 1..self.seen.len() {
+            for _ in 0..MOST_CHANGES {
+                let [low, high] = [&self.seen[idx - 1], &self.seen[idx]];
+                if is_like(&low.switches, &high.switches) {
+                    break;
+                }
+                let Some((cut, behind)) = between([low, high], ask)? else { break };
+                let gain = self.gain_at(&cut, idx, ask)?;
+                sum.resize(gain.len().max(sum.len()), 0.0);
+                sum.iter_mut().zip(gain).for_each(|(sum, part)| *sum += part);
+                self.seen[idx - 1] = behind;
+            }
+        }
+        Ok(sum)
+    }
+
+    fn gain_at(
+        &self,
+        cut: &Cut,
+        idx: usize,
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Result<Vec<f64>> {
+        let [(low, before), (high, behind)] = &cut.sides;
+        let switch = |found: &Found| found.switches.get(cut.number).cloned();
+        let (Some(one), Some(other)) = (switch(before), switch(behind)) else {
+            return Ok(Vec::new());
+        };
+        // Where it goes another way by plain numbers alone nothing moves.
+        let is_still = one.span != other.span || matches!(one.margin, Some(Real::Plain(_)));
+        let size = before.size.max(behind.size);
+        let (width, order) = (self.like.coefficients().len(), self.like.order());
+        let counts = |k: usize| {
+            self.like.n_variables().map_or(k % width < order, |_| k.is_multiple_of(width))
+        };
+        let mut parts = before.value.iter().zip(&behind.value).enumerate();
+        if is_still
+            || !parts.any(|(k, (a, b))| counts(k) && SWITCH_ALIKE_RELATIVE * size < (a - b).abs())
+        {
+            return Ok(Vec::new());
+        }
+        let slope = self.slope(cut, idx, ask)?;
+        let known = one.margin.zip(slope.filter(|slope| slope.is_finite() && *slope != 0.0));
+        let Some((margin, slope)) = known else { return self.unknown(*low) };
+        let mut place = margin.like(self.like).scaled(-1.0 / slope).with_value(*low);
+        if order < 2 {
+            let way = place.coefficients();
+            let gain = |k: usize| {
+                (before.value[k - k % width] - behind.value[k - k % width]) * way[k % width]
+            };
+            return Ok((0..before.value.len())
+                .map(|k| if k % width == 0 { 0.0 } else { gain(k) })
+                .collect());
+        }
+        if !self.can_move {
+            return self.unknown(*low);
+        }
+        for _ in 1..=order {
+            let found = ask(Real::Jet(place.clone()))?;
+            let Some(Some(margin)) = switch(&found).map(|switch| switch.margin) else {
+                return self.unknown(*low);
+            };
+            let rest = margin.like(self.like).with_value(0.0);
+            place = place.minus(&rest.scaled(1.0 / slope)).with_value(*low);
+        }
+        let mut flat = |end: Jet| {
+            let parts = moved_end(&end, |at| -> Result<Vec<Jet>> {
+                let flat = ask(Real::Jet(at.clone()))?.value;
+                Ok(flat.chunks(width).map(|part| self.like.with_coefficients(part)).collect())
+            })?;
+            Result::Ok(
+                parts.iter().flat_map(|part| part.coefficients().to_vec()).collect::<Vec<f64>>(),
+            )
+        };
+        let (gained, lost) = (flat(place.clone())?, flat(place.with_value(*high))?);
+        Ok(gained.iter().zip(&lost).map(|(a, b)| a - b).collect())
+    }
+
+    /// How fast what is compared changes along the range there, from the side that is known farther.
+    fn slope(
+        &self,
+        cut: &Cut,
+        idx: usize,
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Result<Option<f64>> {
+        let [(low, before), (high, behind)] = &cut.sides;
+        let is_same = |found: &Found| {
+            let switches = found.switches.clone();
+            move |place: &&SeenPlace| is_like(&place.switches, &switches)
+        };
+        let left = self.seen[..idx].iter().rev().take_while(is_same(before)).last();
+        let right = self.seen[idx..].iter().take_while(is_same(behind)).last();
+        let left = low - left.map_or(*low, |place| place.at);
+        let right = right.map_or(0.0, |place| place.at) - high;
+        let (at, reach) = if left < right { (*high, -right) } else { (*low, left) };
+        let step = (0.25 * reach.abs())
+            .min(SWITCH_STEP_RELATIVE * (self.ends[1] - self.ends[0]))
+            .copysign(reach);
+        let mut sum = 0.0;
+        for (k, weight) in SLOPE.iter().enumerate() {
+            let found = ask(Real::Plain(at - k as f64 * step))?;
+            let Some(Some(margin)) =
+                found.switches.get(cut.number).map(|switch| switch.margin.clone())
+            else {
+                return Ok(None);
+            };
+            sum += weight * margin.value();
+        }
+        Ok(Some(sum / step))
+    }
+
+    fn unknown(&self, at: f64) -> Result<Vec<f64>> {
+        let message = format!(
+            "the function under the integral jumps or kinks near {}, which moves with what derivatives are wanted by",
+            six_digit_place(at)
+        );
+        Diagnostic::error(Code::NoDerivative, self.span, message)
+            .label("no derivative passes through here")
+            .hint("make that place an end of the range: `integrate(f, 0..x) + integrate(g, x..1)`; or take differences")
+            .fail()
+    }
+}
+
+/// The first change between two places that go different ways, with the place behind it; none between neighbouring numbers.
+fn between(
+    [low, high]: [&SeenPlace; 2],
+    ask: &mut dyn FnMut(Real) -> Result<Found>,
+) -> Result<Option<(Cut, SeenPlace)>> {
+    let first = ask(Real::Plain(low.at))?;
+    let mut sides = [(low.at, first), (high.at, ask(Real::Plain(high.at))?)];
+    for _ in 0..HALVINGS {
+        let (from, to) = (sides[0].0, sides[1].0);
+        let inside = SHARES.map(|share| from + share * (to - from));
+        let inside = inside.into_iter().filter(|at| from < *at && *at < to);
+        // At the change itself there may be no derivative.
+        let found = inside.map(|at| (at, ask(Real::Plain(at)))).find(|(_, found)| found.is_ok());
+        let Some((middle, Ok(found))) = found else { break };
+        let side = usize::from(!is_like(&found.switches, &sides[0].1.switches));
+        sides[side] = (middle, found);
+    }
+    let [(_, before), (at, behind)] = &sides;
+    let mut pairs = before.switches.iter().zip(&behind.switches);
+    let number = pairs.position(|(a, b)| !a.is_like(b)).unwrap_or(before.switches.len());
+    let behind = SeenPlace { at: *at, switches: behind.switches.clone() };
+    Ok(Some((Cut { sides, number }, behind)))
+}
