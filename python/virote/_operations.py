@@ -2415,11 +2415,12 @@ def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, 
     It is known to thirteen digits of the integral of the function's size, or within `tolerance`; over boxes
     and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
     where the border of a face is known within a tolerance, so is the integral. Kinks and jumps are found, and the
-    range is cut there. What none of the places that are asked shows is not seen: of a smooth function these are 28, some
-    twentieth of the range apart, and nearer to its ends, so that a peak narrower than a tenth may lie between them; add
-    up the integrals on both sides of its top. Ends of ranges and borders are never asked for, so that a function
-    may grow without bound there: at 0 to all digits, elsewhere as near as numbers are apart, which a `tolerance` of
-    1e-6 allows for. An integral that has no finite value, or does not settle, is refused with the place.
+    range is cut there. What none of the places that are asked shows is not seen: of a smooth function these are some
+    30, and 200 evenly spread more before the answer is believed, 16 for each range of several, so that a peak that is
+    narrower than a hundredth of the range may lie between them; add up the integrals on both sides of its top. Ends of
+    ranges and borders are never asked for, so that a function may grow without bound there: at 0 to all digits,
+    elsewhere as near as numbers are apart, which a `tolerance` of 1e-6 allows for. An integral that has no finite
+    value, or does not settle, is refused with the place.
 
     Over a range whose end lies before its start it is the negative, over one of no length 0. Derivatives pass
     through: that of an integral is the integral of the derivative, by an end of the range the function there, and
@@ -2648,7 +2649,7 @@ def join(*args: Any, curves: Any = None, patches: Any = None, texts: Any = None,
     spline with simple knots. Gaps up to the document's tolerance are closed halfway. A
     parametric curve is joined as a spline of degree 11 within 1e-13 of its size.
 
-    :param curves: The curves in order, two or more.
+    :param curves: The curves in order, one or more.
 
     In scripts: ``join(curves: list of curves) -> curve``
 

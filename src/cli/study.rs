@@ -153,17 +153,22 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         Ok(()) => (journal.n_rows < n_variants).then(|| "the study was stopped".to_owned()),
     };
     if let Some(message) = ended {
-        if journal.n_rows == 0 {
-            journal.remove();
-            return Err(StudyFailure::Misuse(message));
-        }
-        let (n_rows, name) = (journal.n_rows, unfinished(&asked.out));
-        return Err(StudyFailure::Misuse(format!(
-            "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",
-            name.display()
-        )));
+        return Err(StudyFailure::Misuse(cut_short(&asked.out, journal, n_variants, message)));
     }
     finish(asked, format, journal, (&script, n_variants), voice)
+}
+
+/// What to tell of a study that did not come to its end; of its rows if there are any, else nothing is kept.
+fn cut_short(out: &Path, journal: Journal, n_variants: u64, message: String) -> String {
+    let (n_rows, name) = (journal.n_rows, unfinished(out));
+    if n_rows == 0 {
+        journal.remove();
+        return message;
+    }
+    format!(
+        "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",
+        name.display()
+    )
 }
 
 /// The parameters of the script; what is wrong with it whatever they are has been told.

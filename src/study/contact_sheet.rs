@@ -42,7 +42,7 @@ fn thumbnail(folder: &Path, row: &Row) -> Result<Thumbnail, String> {
         Some(other) => other.to_string(),
         None => String::new(),
     };
-    let Some(Json::String(name)) = row.get(super::workers::PICTURE) else {
+    let Some(Json::String(name)) = row.get(super::row::PICTURE) else {
         return Ok(Thumbnail::missing(format!("{label}: none")));
     };
     let path = folder.join(name);

@@ -5,7 +5,6 @@ use serde_json::{Map, Value as Json, json};
 use super::{
     plan::{PRIME, Variant},
     vary::number_and_unit,
-    workers::PICTURE,
 };
 use crate::{
     diag::{Diagnostic, Severity, nearest},
@@ -27,6 +26,8 @@ pub(super) const CODE: &str = "code";
 pub(super) const MESSAGE: &str = "message";
 /// The time of evaluation.
 pub(super) const MILLISECONDS: &str = "milliseconds";
+/// The names of pictures, where there are any.
+pub(super) const PICTURE: &str = "picture";
 
 /// Makes rows of reports.
 #[derive(Debug)]

@@ -82,8 +82,6 @@ impl StudyPictures<'_> {
 const MOST_AHEAD: u64 = 64;
 /// How often it is asked whether a variant takes too long.
 const TICK: Duration = Duration::from_millis(5);
-/// The title of the column with the names of pictures.
-pub(super) const PICTURE: &str = "picture";
 
 /// Evaluates variants, and hands out their rows in order; with fewer if the evaluation is stopped.
 ///
@@ -202,7 +200,7 @@ fn row(
     let milliseconds = 1e3 * took.as_secs_f64();
     let mut row = evaluation.maker.row(variant, &report, milliseconds, late.as_deref())?;
     if let Some(picture) = picture {
-        row.insert(PICTURE.to_owned(), json!(picture?));
+        row.insert(super::row::PICTURE.to_owned(), json!(picture?));
     }
     Ok(row)
 }

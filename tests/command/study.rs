@@ -135,6 +135,15 @@ margin 5: tilt ~= 15deg within 1deg [deg],check 6: id < 4,margin 6: id < 4,code,
     let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("a run"));
     assert!(code == 3 && err.contains("such as `let height = p.z`"), "{err}");
     assert_eq!(files_below(&scratch.0), ["a.geo", "b.geo", "r.csv"]);
+    for (plan, told_of) in [
+        ("id,n\na,1\nb,1\na,3\n", "p.csv:4: two variants are called \"a\""),
+        ("id,n\n2,1\n,3\n", "p.csv:3: two variants are called 2"),
+    ] {
+        scratch.file("p.csv", plan);
+        let args = ["study", "b.geo", "p.csv", "-o", "o.csv"];
+        let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("a run"));
+        assert!(code == 3 && err.contains(told_of), "{err}");
+    }
 }
 
 #[test]
@@ -148,8 +157,6 @@ fn bad_plans_are_told_before_anything_is_evaluated() {
         ("width\n", "the plan has no rows"),
         ("widht\n1\n", "no parameter `widht`; did you mean `width`?"),
         ("width,width [mm]\n1,2\n", "two columns of the plan are called `width`"),
-        ("id,n\na,1\nb,1\na,3\n", "p.csv:4: two variants are called \"a\""),
-        ("id,n\n2,1\n,3\n", "p.csv:3: two variants are called 2"),
         ("width,n\n1,2\n3\n", "p.csv:3: the row has 1 cell, the header has 2"),
         (
             "lean\n30\n",

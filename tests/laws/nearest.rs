@@ -403,9 +403,9 @@ fn a_point_of_a_slanted_sliver_is_its_own_foot() {
         let sliver = NurbsSurface::bilinear(o, tip, x, tip).unwrap();
         for at in scattered(60) {
             let p = sliver.point_at(at.x, at.y);
-            assert!(sliver.closest(p).distance <= 1e-10, "{p} of {width}");
+            assert!(sliver.closest(p).distance <= 1e-12, "{p} of {width}");
             let above = sliver.closest(p + 0.3 * DVec3::Z).distance;
-            assert!((above - 0.3).abs() <= 1e-10, "{p} of {width}: {above}");
+            assert!((above - 0.3).abs() <= 1e-12, "{p} of {width}: {above}");
         }
     }
 }

@@ -26,7 +26,7 @@ use super::{
 };
 use crate::kernel::{
     Bounds,
-    tolerance::{DRAWING_DIGIT, HIDDEN_RELATIVE, PATH_RELATIVE},
+    tolerance::{DRAWING_DIGIT, HAIRLINE_WIDTH, HIDDEN_RELATIVE, PATH_RELATIVE},
 };
 
 pub(super) static FORMAT: Format = Format {
@@ -57,8 +57,6 @@ pub(super) static FORMAT: Format = Format {
 const FILL: f64 = 0.1;
 /// Free space around the drawing, in strokes.
 const MARGIN: f64 = 10.0;
-/// Millimetres of a line that laser cutters take for a path and not for an area.
-const HAIRLINE_WIDTH: f64 = 0.01;
 /// Drawings of these sizes, in millimetres, are made to be printed as large as they are.
 const PAPER: std::ops::RangeInclusive<f64> = 10.0..=2000.0;
 

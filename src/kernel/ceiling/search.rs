@@ -88,6 +88,11 @@ pub(crate) const LEAST_STEPS: usize = 100;
 /// Pieces of an interval over which a function is integrated.
 pub(crate) const INTEGRAL_PIECES: usize = 4000;
 
+/// Places at which an integral over one range looks at its function once more.
+pub const INTEGRAL_LOOKS: usize = 200;
+/// Those for each range of several, which are asked at all places of one another.
+pub const INTEGRAL_LOOKS_OF_SEVERAL: usize = 16;
+
 /// Questions that one integral puts to its function, those of integrals over integrals counted together: some ten seconds.
 pub const INTEGRAL_EVALUATIONS: usize = 5_000_000;
 

@@ -23,19 +23,13 @@ use crate::{
     tolerance::{BORDER_SHARE, END_LOOK},
 };
 
-/// Pieces along one direction by which the cells are counted first, about; and of those that bound them in the end,
-/// at most one for each cell, about, how many at most.
+/// Pieces along one direction by which the cells are counted, about; and of those that bound them
+/// then, one for each cell, about, how many at most.
 ///
 /// Over a piece each second derivative is bounded on its own, where one may be large as another is
 /// small: pieces of several cells make more triangles of a wave than it needs.
 const FEW_PIECES: usize = 16;
 const MOST_PIECES: usize = 128;
-
-/// Of up to so many cells each has its piece at once. Else the pieces become so many times as many, as long as this
-/// part of the cells goes by it.
-const CHEAP_PIECES: usize = 64;
-const FINER: usize = 3;
-const FINER_GAIN: f64 = 0.02;
 
 /// How much smaller cells become that break a rule of several pieces together.
 const NARROWING: f64 = 0.98;
@@ -128,30 +122,14 @@ impl CellBounds {
         wanted: &TessellationOptions,
         breaks: [&[f64]; 2],
     ) -> Self {
-        let of = |n_pieces| {
-            let bends = DerivativeBounds::of(surface, n_pieces, wanted.n_threads);
-            Self::of(bends, surface, wanted, breaks)
-        };
-        let mut n_pieces = [FEW_PIECES; 2];
-        let mut found = of(n_pieces);
-        let mut counts = found.widths().map(|(_, n_cells)| n_cells);
-        loop {
-            let finer = [0, 1].map(|i| {
-                let most = (counts[i] as usize).clamp(FEW_PIECES, MOST_PIECES);
-                let next = if most <= CHEAP_PIECES { most } else { most.min(FINER * n_pieces[i]) };
-                next.max(n_pieces[i])
-            });
-            if finer == n_pieces {
-                return found;
-            }
-            let before = counts[0] * counts[1];
-            n_pieces = finer;
-            found = of(n_pieces);
-            counts = found.widths().map(|(_, n_cells)| n_cells);
-            if (1.0 - FINER_GAIN) * before < counts[0] * counts[1] {
-                return found;
-            }
+        let bounds = |n_pieces| DerivativeBounds::of(surface, n_pieces, wanted.n_threads);
+        let few = Self::of(bounds([FEW_PIECES; 2]), surface, wanted, breaks);
+        let n_pieces =
+            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, MOST_PIECES));
+        if n_pieces == [FEW_PIECES; 2] {
+            return few;
         }
+        Self::of(bounds(n_pieces), surface, wanted, breaks)
     }
 
     fn of(

@@ -38,7 +38,7 @@ const MANY_PARTS: usize = 1000;
 const LENIENCY: f64 = 8.0;
 const MOST_LENIENCIES: usize = 4;
 
-/// Parts after which planes too are tried to keep a part away.
+/// Parts after which planes too are tried to keep a part away, and whatever comes nearer is gone down from.
 const EASY_PARTS: usize = MANY_PARTS / 8;
 
 /// Parts looked at, whatever comes: for the sake of numbers out of range.
@@ -231,7 +231,11 @@ impl ClosestPointSearch<'_> {
         {
             self.gap.next();
             self.n_parts += 1;
+            let before = self.best;
             self.note_corners(cell, spans);
+            if EASY_PARTS < self.n_parts && self.best < before {
+                self.descend_from_found();
+            }
             if let Some(direction) = self.direction_to_halve(cell, spans) {
                 let is_left_nearer = self.gap.halve(direction);
                 let [left, right] = cell.halves(direction);
@@ -252,6 +256,18 @@ impl ClosestPointSearch<'_> {
             let squared = self.patch.squared_at(place);
             if squared < limit || self.found.is_empty() {
                 self.note(place, squared.sqrt(), spans);
+            }
+        }
+    }
+
+    /// Goes down on the whole patch from the place that was found last: where a valley is askew to the parameters the
+    /// corners of parts come nearer to its lowest place by the size of a part each.
+    fn descend_from_found(&mut self) {
+        let degrees = [self.whole.along[0].degree, self.whole.along[1].degree];
+        if let Some(&(spans, place)) = self.found.last() {
+            let minimum = self.patch.minimum(PatchPart::whole(degrees), place, self.rounding);
+            if minimum.squared < self.best * self.best {
+                self.note(minimum.place, minimum.squared.sqrt(), spans);
             }
         }
     }

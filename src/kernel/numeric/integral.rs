@@ -4,12 +4,13 @@ use std::collections::BinaryHeap;
 
 use super::{
     integral_kink::{beside_kink, kink, unseen_jump},
+    integral_look::{is_cut_at, places_between},
     integral_piece::{IntegrationInterval, add, halves},
     integral_start::{MOST_LOOKS, first_pieces},
 };
 use crate::{
     ceiling::INTEGRAL_PIECES,
-    tolerance::{INTEGRAL_NOISE_RELATIVE, INTEGRAL_WIDTH_RELATIVE},
+    tolerance::{INTEGRAL_NOISE_RELATIVE, INTEGRAL_SEEN_RELATIVE, INTEGRAL_WIDTH_RELATIVE},
 };
 
 /// An integral, and how far it may be off.
@@ -96,18 +97,19 @@ pub fn find_integral<E>(
         let size = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
         Ok((value, size))
     };
-    find_sized_integral(sized, interval, relative, absolute)
+    find_sized_integral(sized, interval, [relative, absolute], 0)
 }
 
 /// [`find_integral`] of a function that tells its size beside its components, as an integral does that is small
-/// because what it adds up cancels.
+/// because what it adds up cancels. Before it is believed it is asked at so many places more, evenly spread, so that
+/// a stretch of it that is wider than what lies between them does not go unseen.
 ///
 /// ```
 /// use virote_kernel::find_sized_integral;
 ///
 /// // Rounding about zero, left of numbers of size 1.
 /// let noise = |x: f64| Ok::<_, ()>((vec![if (1e9 * x) % 2.0 < 1.0 { 1e-17 } else { -1e-17 }], 1.0));
-/// let found = find_sized_integral(noise, [0.0, 3.0], 1e-13, 0.0)?;
+/// let found = find_sized_integral(noise, [0.0, 3.0], [1e-13, 0.0], 100)?;
 /// assert!(found.value[0].abs() < 1e-15 && (found.size - 3.0).abs() < 1e-14);
 /// # Ok::<(), virote_kernel::IntegralError<()>>(())
 /// ```
@@ -117,13 +119,13 @@ pub fn find_integral<E>(
 pub fn find_sized_integral<E>(
     mut function: impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     [start, end]: [f64; 2],
-    relative: f64,
-    absolute: f64,
+    [relative, absolute]: [f64; 2],
+    n_looks: usize,
 ) -> Result<Integral, IntegralError<E>> {
     let failed = IntegralError::Function;
     let mut pieces =
         BinaryHeap::from(first_pieces(&mut function, [start, end], MOST_LOOKS).map_err(failed)?);
-    let mut n_noisy = 0;
+    let (mut n_noisy, mut is_looked_at) = (0, n_looks == 0);
     loop {
         let sum = |what: fn(&IntegrationInterval) -> f64| pieces.iter().map(what).sum::<f64>();
         let (error, size) = (sum(|piece| piece.error), sum(|piece| piece.size));
@@ -132,6 +134,15 @@ pub fn find_sized_integral<E>(
         if is_known && error <= allowed {
             let mut settled = pieces.into_vec();
             settled.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
+            if !is_looked_at {
+                is_looked_at = true;
+                let counts = allowed.max(INTEGRAL_SEEN_RELATIVE * size);
+                let looks = places_between([start, end], n_looks);
+                if is_cut_at(&mut function, &mut settled, looks, counts).map_err(failed)? {
+                    pieces = settled.into();
+                    continue;
+                }
+            }
             let is_wide = |piece: &IntegrationInterval| is_wide(piece, end - start);
             let n_left = INTEGRAL_PIECES.saturating_sub(settled.len());
             if n_left == 0
@@ -197,7 +208,7 @@ fn total(pieces: &[IntegrationInterval], error: f64, size: f64) -> Integral {
 
 #[cfg(test)]
 mod tests {
-    use super::{IntegralError, find_integral};
+    use super::{IntegralError, find_integral, find_sized_integral};
 
     fn integral(function: fn(f64) -> f64, interval: [f64; 2]) -> Result<f64, IntegralError<()>> {
         find_integral(|x| Ok(vec![function(x)]), interval, 1e-13, 0.0).map(|found| found.value[0])
@@ -291,6 +302,20 @@ mod tests {
         assert!(find_integral(|x| Ok::<_, ()>(vec![4.0 - x * x]), [-2.0, 2.0], 1e-13, 0.0).is_ok());
         let steps = integral(|x| (3.0 * x).floor(), [0.0, 2.0]).expect("an integral");
         assert!((steps - 5.0).abs() < 1e-12, "{steps}");
+    }
+
+    #[test]
+    fn what_lies_on_a_part_of_the_range_alone_is_seen() {
+        for k in 1..200 {
+            let at = 0.01 + 0.97 * (f64::from(k) * 0.618_033_988_749_894_9).fract();
+            let pulse = |x: f64| {
+                let height = if at < x && x < at + 0.012 { 1.0 } else { 0.0 };
+                Ok::<_, ()>((vec![height], height))
+            };
+            let found = find_sized_integral(pulse, [0.0, 1.0], [1e-13, 0.0], 100);
+            let found = found.expect("an integral").value[0];
+            assert!((found - 0.012).abs() < 1e-13, "{found} from {at}");
+        }
     }
 
     #[test]

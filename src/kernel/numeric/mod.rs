@@ -15,6 +15,7 @@ pub(crate) mod gauss_legendre;
 pub(crate) mod golden_section;
 pub(crate) mod integral;
 mod integral_kink;
+mod integral_look;
 mod integral_piece;
 mod integral_start;
 mod kink;

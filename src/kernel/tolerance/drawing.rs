@@ -20,6 +20,11 @@ pub const PATH_RELATIVE: f64 = 1e-6;
 /// asks for less than the rounding of a point, so that pieces are halved to the ceiling everywhere.
 pub const PATH_ROUNDING: f64 = 4e-15;
 
+/// Millimetres of a hairline, which laser cutters take for a path.
+///
+/// Larger is engraved by some as an area; smaller is not seen on a screen.
+pub const HAIRLINE_WIDTH: f64 = 0.01;
+
 /// Coordinates of a drawing are rounded to this fraction of its size, unless the script says how.
 ///
 /// Larger moves joints that zooming in shows; smaller writes digits that are rounding.

@@ -34,6 +34,12 @@ pub const LEAST_PLACE_RELATIVE: f64 = 1.5e-8;
 /// Larger takes what is not resolved yet for noise; smaller goes on among the last digits of a function.
 pub(crate) const INTEGRAL_NOISE_RELATIVE: f64 = 1e-5;
 
+/// What a function is off at a place between those of its integral counts where it would change the integral by this
+/// fraction over the distance of such places.
+///
+/// Larger leaves loads on a part of a range unseen; smaller takes for one what a smooth function is off between nodes.
+pub(crate) const INTEGRAL_SEEN_RELATIVE: f64 = 1e-6;
+
 /// How fast a comparison changes along an integral is told over this share of the range.
 ///
 /// Larger leaves the stretch in which it is smooth; smaller leaves rounding.

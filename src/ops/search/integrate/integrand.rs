@@ -7,7 +7,11 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{IntegralError, Jet, ceiling::INTEGRAL_EVALUATIONS, find_sized_integral},
+    kernel::{
+        IntegralError, Jet,
+        ceiling::{INTEGRAL_EVALUATIONS, INTEGRAL_LOOKS_OF_SEVERAL},
+        find_sized_integral,
+    },
     value::{Callback, Ctx, Dimension, Number, Real, Value},
 };
 
@@ -55,7 +59,8 @@ impl<'a, 'c> Integrand<'a, 'c> {
     /// A range of it that moves by its ends alone, if at all.
     pub(super) fn range(&self, ends: [f64; 2]) -> IntegralRange {
         let carried = self.carried().cloned();
-        IntegralRange { span: self.span(), ends, carried, can_move: false }
+        let n_looks = INTEGRAL_LOOKS_OF_SEVERAL;
+        IntegralRange { span: self.span(), ends, carried, can_move: false, n_looks }
     }
 
     /// The dimension of its values.
@@ -153,6 +158,8 @@ pub(super) struct IntegralRange {
     pub(super) carried: Option<Jet>,
     /// Whether the function can be asked at places that carry derivatives.
     pub(super) can_move: bool,
+    /// Places at which the function is looked at once more.
+    pub(super) n_looks: usize,
 }
 
 /// An integral over one number, with its refusal; what it adds up may be integrals itself, whose largest error
@@ -173,7 +180,7 @@ pub(super) fn settled(
         }
         Ok((found.value, found.size))
     };
-    match find_sized_integral(asked, ends, relative, absolute) {
+    match find_sized_integral(asked, ends, [relative, absolute], range.n_looks) {
         Ok(found) => {
             let error = found.error + most * (ends[1] - ends[0]);
             let switches = seen.first().map_or_else(Vec::new, |place| place.switches.clone());

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Result, Spanned},
-    kernel::{Jet, jet::moved_end},
+    kernel::{Jet, ceiling::INTEGRAL_LOOKS, jet::moved_end},
     value::{IntoValue, Number, Range, Real, Value},
 };
 
@@ -88,6 +88,7 @@ pub(super) fn over_box(
         && !integrand.is_varying()
         && rest.iter().all(|range| range.like().is_none())
         && !known.iter().any(Value::is_jet);
+    let is_alone = known.is_empty() && rest.is_empty();
     let mut ask = |integrand: &mut Integrand<'_, '_>, at: Real| {
         known.push(first.place(at));
         let found = over_box(rest, known, integrand, inner);
@@ -96,7 +97,10 @@ pub(super) fn over_box(
     };
     let mut total = if low < high && !is_still {
         let place = |at| first.range.place_text(at);
-        let over = IntegralRange { can_move: true, ..integrand.range([low, high]) };
+        let mut over = IntegralRange { can_move: true, ..integrand.range([low, high]) };
+        if is_alone {
+            over.n_looks = INTEGRAL_LOOKS;
+        }
         let asked = |at| ask(&mut *integrand, at);
         settled(&over, own, place, asked).map_err(|found| {
             let is_far = FAR < low.abs().max(high.abs()) && found.code == Code::Domain;
