@@ -2,7 +2,7 @@
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
 //! `any` of functions too, `polygons` of faces, `planar` of regions, both by a `triangulation`; `faces` are the runs of triangles that stand for faces of
-//! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`; `cell_bounds`
+//! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`, or of the two curves of `homothetic`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
