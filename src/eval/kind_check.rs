@@ -40,16 +40,9 @@ impl Machine<'_> {
             self.warn_of_point(expr, &value);
             return Ok(value);
         }
-        let promised = match kind {
-            Kind::Points
-            | Kind::Curves
-            | Kind::Surfaces
-            | Kind::Regions
-            | Kind::Faces
-            | Kind::Solids
-            | Kind::Meshes
-            | Kind::Tables => format!("a list of {}", kind.word()),
-            _ => format!("a {}", kind.word()),
+        let promised = match element_of(kind) {
+            Some(_) => format!("a list of {}", kind.word()),
+            None => format!("a {}", kind.word()),
         };
         if let Some(found) = stranger(expr, &value, kind, &promised) {
             return found
@@ -100,27 +93,11 @@ impl Machine<'_> {
 
 /// Whether `value` is what `kind` promises.
 fn keeps(kind: Kind, value: &Value) -> bool {
-    match kind {
-        Kind::Let => true,
-        Kind::Point
-        | Kind::Curve
-        | Kind::Surface
-        | Kind::Region
-        | Kind::Face
-        | Kind::Solid
-        | Kind::Mesh
-        | Kind::Table => value.kind() == kind.word(),
-        Kind::Points
-        | Kind::Curves
-        | Kind::Surfaces
-        | Kind::Regions
-        | Kind::Faces
-        | Kind::Solids
-        | Kind::Meshes
-        | Kind::Tables => match value {
-            Value::List(items) => items.iter().all(|item| Some(item.kind()) == element_of(kind)),
-            _ => false,
-        },
+    match (element_of(kind), value) {
+        _ if kind == Kind::Let => true,
+        (None, _) => value.kind() == kind.word(),
+        (Some(element), Value::List(items)) => items.iter().all(|item| item.kind() == element),
+        (Some(_), _) => false,
     }
 }
 
