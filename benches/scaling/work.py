@@ -80,7 +80,6 @@ ROWS = {
     "Surfaces": [
         ("`bspline`", "rows and columns", GRID, "let p = [for i in 0..<{n}: [for j in 0..<{n}: (i, j, sin(i)*cos(j))]]", "bspline(p)"),
         ("`interpolate`", "rows and columns", GRID, "let p = [for i in 0..<{n}: [for j in 0..<{n}: (i, j, sin(i)*cos(j))]]", "interpolate(p)"),
-        ("`approximate` by n/2 x n/2", "rows and columns", GRID, "let p = [for i in 0..<{n}: [for j in 0..<{n}: (i, j, sin(0.2*i)*cos(0.3*j))]]", "approximate(p, control_points = [{n}/2, {n}/2])"),
         ("`skin`", "sections of n control points", GRID, "curves l = [for i in 0..<{n}: bspline([for j in 0..<{n}: (i, j, sin(i + 0.3*j))])]", "skin(l)"),
         ("`gordon`", "curves each way", GRID, "curves u = [for j in 0..<{n}: line((0, j), ({n} - 1, j))]\ncurves v = [for i in 0..<{n}: line((i, 0), (i, {n} - 1))]", "gordon(u, v)"),
         ("`gordon` of splines", "curves each way", [5, 10, 20, 40], "surface s = interpolate([for i in 0..<{n}: [for j in 0..<{n}: (i, j, sin(0.8*i)*cos(0.6*j))]])\nlet e = [for i in 0..<{n}: i/({n} - 1)]", "gordon([for t in e: s(_, t)], [for t in e: s(t, _)])"),
