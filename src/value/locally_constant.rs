@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::{
     Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Range, Real, Type, Value,
-    Vector, from_value::check_parameters,
+    Vector, from_value::check_plain,
 };
 use crate::{diag::Span, kernel::Interval};
 
@@ -75,7 +75,7 @@ impl FromValue for RealInterval {
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
         let plain = value.looked_at();
         let range = Range::from_value(&plain, span)?;
-        check_parameters(&range, &plain)?;
+        check_plain(&range, &plain)?;
         let Range { start, end, .. } = range;
         if start.value.total_cmp(&end.value).is_ne() {
             Interval::from_value(&plain, span)?;

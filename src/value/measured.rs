@@ -1,6 +1,10 @@
 //! Numbers with the dimension that an operation answers with.
 
-use super::{Angle, Dimension, IntoValue, Length, Number, Real, Type, Value, number::WHOLE};
+use super::{
+    Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Real, Type, Value,
+    number::WHOLE,
+};
+use crate::diag::{Code, Span};
 
 /// A number of document units to a power, as an operation answers: an area, a volume, a curvature.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +43,24 @@ impl<T: Into<Real>> IntoValue for Open<T> {
 
     fn into_value(self) -> Value {
         Number { value: self.0.into(), dim: Dimension::OPEN }.into_value()
+    }
+}
+
+/// Also a plain number, in document units.
+impl<const POWER: i8> FromValue for LengthPower<POWER> {
+    const TYPE: Type = <Self as IntoValue>::RETURNS;
+
+    fn from_value(value: &Value, _: Span) -> Result<Self, Mismatch> {
+        let dim = Dimension::of_powers([POWER * WHOLE, 0]);
+        match value {
+            Value::Number(number) if number.dim == dim || number.dim.is_bare() => {
+                Ok(Self(number.value))
+            }
+            Value::Number(_) => {
+                Err(Mismatch::kind(<Self as FromValue>::TYPE, value).code(Code::UnitMismatch))
+            }
+            _ => Err(Mismatch::kind(<Self as FromValue>::TYPE, value)),
+        }
     }
 }
 

@@ -63,7 +63,8 @@ pub use field::{field, field_names, table_row};
 pub use files::{Files, MemoryFiles, NoFiles};
 pub use format::{FormatRefusal, NumberFormat};
 pub use from_value::{
-    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
+    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, ParameterRange,
+    Rows,
 };
 pub use function::{Closure, Function, Partial};
 pub use into_value::IntoValue;

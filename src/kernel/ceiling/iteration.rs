@@ -41,6 +41,9 @@ pub(crate) const NEAREST_STEPS: usize = 40;
 /// Halvings of a step that leads away from the nearest point.
 pub(crate) const STEP_HALVINGS: usize = 12;
 
+/// Whole steps one after the other that are to come nearer together, before a step is halved.
+pub(crate) const WHOLE_STEPS: usize = 5;
+
 /// Steps of Newton's method towards an umbilic, near which it may be slow.
 pub(crate) const UMBILIC_STEPS: usize = 40;
 

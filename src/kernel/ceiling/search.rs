@@ -82,6 +82,9 @@ pub(crate) const ROOT_STEPS: usize = 300;
 /// Parts of an interval at whose ends a function is asked for its least value.
 pub(crate) const LEAST_LOOKS: usize = 16;
 
+/// The same where the function turns often between them.
+pub(crate) const MOST_LEAST_LOOKS: usize = 256;
+
 /// Steps towards a least value; from a valley that is clear it needs some twenty.
 pub(crate) const LEAST_STEPS: usize = 100;
 

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, DVec4};
 use super::spans::DirectionSpans;
 use crate::{
     Bounds, Direction, Interval, bezier,
-    ceiling::{NEAREST_STEPS, STEP_HALVINGS},
+    ceiling::{NEAREST_STEPS, STEP_HALVINGS, WHOLE_STEPS},
     homogeneous,
     numeric::{
         linear::TwoEquations,
@@ -256,27 +256,52 @@ pub(crate) fn descend<E>(
 }
 
 /// A step that leads down, or none.
+///
+/// Along a narrow curved valley whole steps lead up on its side first, and from there down to its floor far ahead,
+/// where steps that are shortened until they lead down would creep.
 fn lower<E>(
     cell: &PatchPart,
     way: &FootVector,
     way_at: &mut impl FnMut([f64; 2]) -> Result<FootVector, E>,
 ) -> Result<Option<FootVector>, E> {
+    let step_of = |from: &FootVector| from.step([0, 1].map(|i| cell.bars(from, i)));
+    let mut ahead = *way;
+    for _ in 0..WHOLE_STEPS {
+        match stepped(cell, &ahead, step_of(&ahead), way_at)? {
+            Some(next) if is_lower(cell, &next, way) => return Ok(Some(next)),
+            Some(next) => ahead = next,
+            None => break,
+        }
+    }
+    shortened(step_of(way).map(|step| 0.5 * step), STEP_HALVINGS, |step| {
+        Ok(match stepped(cell, way, step, way_at)? {
+            Some(next) if is_lower(cell, &next, way) => ControlFlow::Break(Some(next)),
+            Some(_) => ControlFlow::Continue(()),
+            None => ControlFlow::Break(None),
+        })
+    })
+}
+
+/// Where a step leads within a part; none where it does not lead away.
+fn stepped<E>(
+    cell: &PatchPart,
+    from: &FootVector,
+    step: [f64; 2],
+    way_at: &mut impl FnMut([f64; 2]) -> Result<FootVector, E>,
+) -> Result<Option<FootVector>, E> {
+    let place = cell.clamp([from.place[0] + step[0], from.place[1] + step[1]]);
+    let is_away = DVec2::from_array(place) != DVec2::from_array(from.place);
+    is_away.then(|| way_at(place)).transpose()
+}
+
+/// Whether a place is nearer than another, or as near where it is less steep.
+fn is_lower(cell: &PatchPart, next: &FootVector, way: &FootVector) -> bool {
     let steepness = |way: &FootVector| {
         let free = |i: usize| if cell.bars(way, i) { 0.0 } else { way.slope[i].abs() };
         free(0).max(free(1))
     };
-    let whole = way.step([0, 1].map(|i| cell.bars(way, i)));
-    shortened(whole, STEP_HALVINGS, |step| {
-        let place = cell.clamp([way.place[0] + step[0], way.place[1] + step[1]]);
-        if DVec2::from_array(place) == DVec2::from_array(way.place) {
-            return Ok(ControlFlow::Break(None));
-        }
-        let next = way_at(place)?;
-        let is_level = next.squared <= way.squared * (1.0 + 4.0 * LAST_BIT);
-        let is_lower =
-            next.squared < way.squared || (is_level && steepness(&next) < 0.5 * steepness(way));
-        Ok(if is_lower { ControlFlow::Break(Some(next)) } else { ControlFlow::Continue(()) })
-    })
+    let is_level = next.squared <= way.squared * (1.0 + 4.0 * LAST_BIT);
+    next.squared < way.squared || (is_level && steepness(next) < 0.5 * steepness(way))
 }
 
 impl FootVector {

@@ -133,6 +133,12 @@ impl Enclosure {
         self.value
     }
 
+    /// Bounds of the slopes.
+    #[must_use]
+    pub fn slope(&self) -> [f64; 2] {
+        self.slope
+    }
+
     /// Whether it may be zero somewhere.
     #[must_use]
     pub fn may_vanish(&self) -> bool {

@@ -2,13 +2,20 @@
 
 use super::sample::Sample;
 use crate::{
-    ceiling::{LEAST_LOOKS, LEAST_STEPS},
+    ceiling::{LEAST_LOOKS, LEAST_STEPS, MOST_LEAST_LOOKS},
     tolerance::LEAST_PLACE_RELATIVE,
 };
 
+/// Samples that a valley needs around it to be seen: as many for each turn of the function, or there are more.
+const SAMPLES_OF_A_TURN: usize = 8;
+
+/// How far samples stand from equal distances, as a share of these: waves of the same length would hide.
+const UNEVENNESS: f64 = 0.3;
+
 /// The place in an interval at which a function is least, and its value there.
 ///
-/// Places at equal distances tell near which the least value is; from there on Brent's method goes on. A
+/// Places at nearly equal distances tell near which the least value is: some seventeen, and the more the oftener the function turns
+/// between them, up to 257. From there on Brent's method goes on, and in other valleys whose bottom may be lower. A
 /// valley between two of these places in which no other is lower than theirs is missed. The least value may
 /// stand at an end.
 ///
@@ -26,17 +33,62 @@ pub fn find_least<E>(
     mut function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
 ) -> Result<Sample, E> {
-    let at = |k: usize| match k {
-        LEAST_LOOKS => end,
-        _ => start + (end - start) * (k as f64 / LEAST_LOOKS as f64),
-    };
-    let values = (0..=LEAST_LOOKS).map(|k| function(at(k))).collect::<Result<Vec<f64>, E>>()?;
-    let lower = |&a: &usize, &b: &usize| values[a].total_cmp(&values[b]);
-    let k = (0..=LEAST_LOOKS).min_by(lower).unwrap_or(0);
-    let known = Sample { at: at(k), value: values[k] };
-    let around = [at(k.saturating_sub(1)), at(k), at((k + 1).min(LEAST_LOOKS))];
-    let found = least_between(&mut function, around, known.value)?;
-    Ok(if found.value < known.value { found } else { known })
+    let mut sample_at = |at: f64| Ok::<_, E>(Sample { at, value: function(at)? });
+    let mut samples = Vec::with_capacity(LEAST_LOOKS + 1);
+    for k in 0..=LEAST_LOOKS {
+        let unevenness = UNEVENNESS * libm::sin((k * k) as f64);
+        let share = (k as f64 + unevenness) / LEAST_LOOKS as f64;
+        samples.push(sample_at(match k {
+            0 => start,
+            LEAST_LOOKS => end,
+            _ => start + (end - start) * share,
+        })?);
+    }
+    while samples.len() <= MOST_LEAST_LOOKS
+        && samples.len() <= SAMPLES_OF_A_TURN * n_turns(&samples)
+    {
+        let mut finer = Vec::with_capacity(2 * samples.len());
+        for pair in samples.windows(2) {
+            finer.extend([pair[0], sample_at(0.5 * (pair[0].at + pair[1].at))?]);
+        }
+        finer.extend(samples.last());
+        samples = finer;
+    }
+    let lower = |&a: &usize, &b: &usize| samples[a].value.total_cmp(&samples[b].value);
+    let last = samples.len() - 1;
+    let lowest = (0..=last).min_by(lower).unwrap_or(0);
+    let mut best = samples[lowest];
+    let others = (1..last).filter(|&k| k != lowest && is_valley(&samples[k - 1..=k + 1]));
+    for k in [lowest].into_iter().chain(others) {
+        let [before, at, behind] = [k.saturating_sub(1), k, (k + 1).min(last)].map(|k| samples[k]);
+        if k != lowest && best.value <= depth(before, at, behind) {
+            continue;
+        }
+        let found =
+            least_between(|at| Ok(sample_at(at)?.value), [before.at, at.at, behind.at], at.value)?;
+        if found.value < best.value {
+            best = found;
+        }
+    }
+    Ok(best)
+}
+
+/// How often samples go from growing to falling, or back.
+fn n_turns(samples: &[Sample]) -> usize {
+    let steps: Vec<f64> = samples.windows(2).map(|pair| pair[1].value - pair[0].value).collect();
+    steps.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+}
+
+/// Whether the middle one of three samples is lowest.
+fn is_valley(samples: &[Sample]) -> bool {
+    samples[1].value < samples[0].value && samples[1].value <= samples[2].value
+}
+
+/// A value that the bottom of a valley around the lowest of three samples is not much below, of what is curved as the
+/// parabola through them.
+fn depth(before: Sample, lowest: Sample, behind: Sample) -> f64 {
+    let rise = before.value.max(behind.value) - lowest.value;
+    lowest.value - 0.5 * rise
 }
 
 /// The least value between two places, with one between them or at one of them whose value is known.
@@ -138,6 +190,29 @@ mod tests {
         assert!(found.at < -1.0 && -1.1 < found.at, "{}", found.at);
         let flat = least(|_| 3.0, [0.0, 1.0]);
         assert!((flat.value - 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_lowest_of_many_valleys_is_found() {
+        for n in 1..=60 {
+            let n = f64::from(n);
+            let waves = |x: f64| libm::sin(n * x) + 0.05 * x;
+            let found = find_least(|x| Ok::<_, ()>(waves(x)), [0.0, 3.0]).expect("no failure");
+            let places = (0..=60_000).map(|k| waves(3.0 * f64::from(k) / 60_000.0));
+            let least = places.fold(f64::INFINITY, f64::min);
+            assert!(found.value <= least + 1e-9, "{n}: {found:?}, {least}");
+        }
+        // As many waves as samples.
+        let waves = |x: f64| Ok::<_, ()>(-libm::cos(std::f64::consts::TAU * x) - 0.01 * x);
+        let found = find_least(waves, [0.0, 16.5]).expect("no failure");
+        assert!((found.at - 16.0).abs() < 1e-3, "{found:?}");
+        // A function of one valley is asked some thirty times.
+        let mut n_asked = 0;
+        let valley = |x: f64| {
+            n_asked += 1;
+            Ok::<_, ()>((x - 0.3) * (x - 0.3))
+        };
+        assert!(find_least(valley, [0.0, 2.0]).is_ok() && n_asked < 40, "{n_asked}");
     }
 
     #[test]

@@ -26,6 +26,7 @@ mod least_search;
 pub(crate) mod least_squares;
 pub(crate) mod linear;
 pub(crate) mod newton;
+pub(crate) mod open_root;
 pub(crate) mod pattern_search;
 pub(crate) mod polynomial_roots;
 mod quadratic_program;

@@ -1,6 +1,12 @@
 //! Which intervals hold a root, beyond doubt.
 
-use super::enclosure::Enclosure;
+use super::{
+    enclosure::Enclosure,
+    open_root::{OpenRoot, roots_in_open, told_apart},
+    root::find_root,
+    root_error::RootError,
+    sample::Sample,
+};
 use crate::{ceiling::PROOF_PIECES, tolerance::PROOF_WIDTH_RELATIVE, work};
 
 /// What bounds of a function's values and slopes tell of its roots.
@@ -95,6 +101,40 @@ impl RootProof {
         open.sort_by(|a, b| a[0].total_cmp(&b[0]));
         Self { brackets, open: is_done.then_some(open) }
     }
+
+    /// Every root, in order, of the function whose bounds made the proof: that of each bracket, and those that are
+    /// found in what it left open, where the function may only touch zero.
+    ///
+    /// ```
+    /// use virote_kernel::{Enclosure, RootError, RootProof};
+    ///
+    /// // (x² − 2)² between 0 and 3, which is zero at no number of the computer.
+    /// let two = Enclosure::constant(-2.0);
+    /// let bounds = |x| Enclosure::variable(x).power(2.0)?.plus(&two).power(2.0);
+    /// let value = |x: f64| Ok::<_, RootError<()>>((x * x - 2.0) * (x * x - 2.0));
+    /// let roots = RootProof::of(bounds, [0.0, 3.0]).roots(bounds, value, [0.0, 3.0]).expect("a root");
+    /// assert!(roots.len() == 1 && (roots[0].at - 2.0_f64.sqrt()).abs() < 1e-15);
+    /// ```
+    ///
+    /// # Errors
+    /// Those of the function; a jump over zero; a stretch along which it is zero.
+    pub fn roots<E>(
+        &self,
+        mut bounds: impl FnMut([f64; 2]) -> Option<Enclosure>,
+        mut function: impl FnMut(f64) -> Result<f64, E>,
+        [start, end]: [f64; 2],
+    ) -> Result<Vec<Sample>, RootError<E>> {
+        let mut roots = Vec::with_capacity(self.brackets.len());
+        for &bracket in &self.brackets {
+            let sample = find_root(&mut function, bracket)?;
+            roots.push(OpenRoot { sample, is_at_rest: false });
+        }
+        for &interval in self.open.iter().flatten() {
+            roots.extend(roots_in_open(&mut bounds, &mut function, interval, end - start)?);
+        }
+        roots.sort_by(|a, b| a.sample.at.total_cmp(&b.sample.at));
+        Ok(told_apart(&mut bounds, &roots, end - start))
+    }
 }
 
 /// Where an interval is divided: beside the middle, where roots like to be.
@@ -107,7 +147,7 @@ fn sign(bounds: Enclosure) -> Option<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Enclosure, RootProof};
+    use super::{Enclosure, RootError, RootProof};
 
     fn constant(value: f64) -> Enclosure {
         Enclosure::constant(value)
@@ -133,6 +173,55 @@ mod tests {
             [-5.0, 5.0],
         );
         assert!(none.is_whole() && none.brackets.is_empty());
+    }
+
+    /// The roots of a function between -1 and 10 that bounds and samples find.
+    fn roots(
+        bounds: impl Fn(Enclosure) -> Option<Enclosure>,
+        value: impl Fn(f64) -> f64,
+    ) -> Vec<f64> {
+        let interval = [-1.0, 10.0];
+        let bounds = |interval| bounds(Enclosure::variable(interval));
+        let proof = RootProof::of(bounds, interval);
+        let found = proof.roots(bounds, |x| Ok::<_, RootError<()>>(value(x)), interval);
+        found.expect("roots").iter().map(|root| root.at).collect()
+    }
+
+    #[test]
+    fn roots_at_which_a_function_only_touches_zero_are_found() {
+        let is = |found: Vec<f64>, expected: &[f64], room: f64| {
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() <= room, "{found} for {expected}");
+            }
+        };
+        let pi = std::f64::consts::PI;
+        let square = |x: Enclosure| x.power(2.0)?.plus(&constant(-2.0)).power(2.0);
+        is(roots(square, |x| (x * x - 2.0) * (x * x - 2.0)), &[2.0_f64.sqrt()], 4e-16);
+        is(
+            roots(|x| x.sin()?.power(2.0), |x| libm::sin(x) * libm::sin(x)),
+            &[0.0, pi, 2.0 * pi, 3.0 * pi],
+            4e-15,
+        );
+        is(
+            roots(|x| x.sin()?.abs(), |x| libm::sin(x).abs()),
+            &[0.0, pi, 2.0 * pi, 3.0 * pi],
+            4e-15,
+        );
+        let cosine = |x: Enclosure| Some(x.cos()?.negated().plus(&constant(1.0)));
+        is(roots(cosine, |x| 1.0 - libm::cos(x)), &[0.0, 2.0 * pi], 4e-15);
+        // Of third order, which has digits for a third of the place only.
+        is(roots(|x| Some(x.plus(&x.sin()?.negated())), |x| x - libm::sin(x)), &[0.0], 1e-8);
+        let exponential = |x: Enclosure| Some(x.exp()?.plus(&constant(-1.0)).plus(&x.negated()));
+        is(roots(exponential, |x| libm::exp(x) - 1.0 - x), &[0.0], 1e-15);
+        // What only comes near.
+        let near = |x: Enclosure| Some(x.plus(&constant(-0.7)).power(2.0)?.plus(&constant(1e-20)));
+        is(roots(near, |x| (x - 0.7) * (x - 0.7) + 1e-20), &[], 0.0);
+        let pair =
+            |x: Enclosure| Some(x.plus(&constant(-0.3)).times(&x.plus(&constant(-0.3 - 1e-13))));
+        is(roots(pair, |x| (x - 0.3) * (x - 0.3 - 1e-13)), &[0.3, 0.3 + 1e-13], 1e-15);
+        let pole = |x: Enclosure| constant(1.0).over(&x.plus(&constant(-0.3)).power(2.0)?);
+        is(roots(pole, |x| 1.0 / ((x - 0.3) * (x - 0.3))), &[], 0.0);
     }
 
     #[test]

@@ -158,6 +158,11 @@ pub(crate) const RELAXATION_WEIGHT: f64 = 1e4;
 /// Larger leaves roots that are near one another unproven; smaller divides around what only touches zero.
 pub const PROOF_WIDTH_RELATIVE: f64 = 1e-10;
 
+/// A part of this fraction of an interval along which a function is zero as far as rounding tells holds one root.
+///
+/// Larger takes a stretch of zeros for a root; smaller takes a root of high order for a stretch of zeros.
+pub const OPEN_WIDTH_RELATIVE: f64 = 1e-4;
+
 /// The error in each step of a trajectory is this share of the tolerance at first.
 ///
 /// Larger tells of coarser trajectories that they are other ones; smaller takes more steps than need be.

@@ -10,9 +10,6 @@ use crate::{
     tolerance::{JUMP_SHARE, LAST_BIT},
 };
 
-/// Steps in search of where a curve is farthest beyond a seam, each of which leaves 11/20 of what there was.
-const DIP_STEPS: usize = 40;
-
 /// Tolerances from a seam within which a stretch beyond it cannot be told from the seam.
 const SHALLOW: f64 = 8.0;
 
@@ -82,12 +79,23 @@ impl PulledCurve<'_> {
             let (low, high) = (bounds.min[i], bounds.max[i]);
             let from_low = before.1[i] - low < high - before.1[i];
             let height = |place: DVec3| if from_low { place[i] - low } else { high - place[i] };
-            if norm(here.1 - before.1) < height(before.1).min(height(here.1)) {
+            let way = norm(here.1 - before.1);
+            if way < height(before.1).min(height(here.1)) {
                 continue;
+            }
+            // What is on the seam wherever it is looked at runs along it.
+            let is_on = |place: DVec3| height(place) <= self.accuracy;
+            let mut is_along = is_on(before.1) && is_on(here.1);
+            for share in DEPTH_LOOKS {
+                let t = before.0 + share * (here.0 - before.0);
+                is_along = is_along && is_on(self.place(t, before.1)?);
             }
             // Between both it is least in one place.
             let (mut ends, mut near) = ([before.0, here.0], before.1);
-            for _ in 0..DIP_STEPS {
+            // In what is left of the stretch it gets no farther beyond the seam than the tolerance.
+            let rounding = 8.0 * LAST_BIT * before.0.abs().max(here.0.abs());
+            let shortest = (0.5 * self.tolerance * (here.0 - before.0) / way).max(rounding);
+            while !is_along && shortest < ends[1] - ends[0] {
                 let mut heights = [0.0; 2];
                 for (height_at, share) in heights.iter_mut().zip([0.45, 0.55]) {
                     let t = ends[0] + share * (ends[1] - ends[0]);

@@ -4,14 +4,14 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{JointTolerance, Tolerance},
     ops::positive,
-    value::{Angle, Length, shortest},
+    value::{Angle, Curvature, Length, shortest},
 };
 
 /// The options of `continuity`.
 pub(super) struct ContinuityOptions {
     pub(super) tolerance: Option<Spanned<Length>>,
     pub(super) angle: Option<Spanned<Angle>>,
-    pub(super) curvature_gap: Option<Spanned<f64>>,
+    pub(super) curvature_gap: Option<Spanned<Curvature>>,
 }
 
 impl ContinuityOptions {
@@ -23,15 +23,15 @@ impl ContinuityOptions {
             let degrees = shortest(angle.value.0.to_degrees());
             return refused(format!("the angle must be positive, found {degrees}deg"), angle.span);
         }
-        if let Some(gap) = self.curvature_gap.filter(|gap| gap.value <= 0.0) {
-            let found = shortest(gap.value);
+        if let Some(gap) = self.curvature_gap.filter(|gap| gap.value.0 <= 0.0) {
+            let found = shortest(gap.value.0);
             return refused(format!("the curvature gap must be positive, found {found}"), gap.span);
         }
         Ok(JointTolerance {
             document,
             distance,
             angle: self.angle.map(|angle| angle.value.0),
-            curvature_gap: self.curvature_gap.map(|gap| gap.value),
+            curvature_gap: self.curvature_gap.map(|gap| gap.value.0),
         })
     }
 }

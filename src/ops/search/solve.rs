@@ -22,8 +22,8 @@ op! {
     /// not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
     /// there. A jump over zero, such as a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a list. Of a
     /// function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
-    /// values and slopes prove where its roots are and that there are no others; where roots coincide or lie at the
-    /// border it is looked at closely what that proof leaves open. Of any other function the list holds every root that
+    /// values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
+    /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding tells is a root. Of any other function the list holds every root that
     /// 256 places at equal distances tell apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
     /// Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
     ///
@@ -49,6 +49,7 @@ op! {
     }
     example "solve(x => x^2 - 2, within = 0..2) ~= sqrt(2)" => "true";
     example "solve(x => sin(x), within = 1..10, all = true)" => "[3.141592653589793, 6.283185307179586, 9.42477796076938]";
+    example "solve(x => (x^2 - 2)^2, within = 0..3, all = true) ~= [sqrt(2)]" => "true";
     example "\"{solve(r => pi * r^2 - 12cm * 1cm, within = 0mm..10cm):.3mm}\"" => "\"19.544mm\"";
     example "solve(x => x^3 - 8, within = 0..5, report = true).evaluations < 20" => "true";
     example "[for r in solve(x => x^3 - 2*x + sin(x) - 0.2, within = -2..2, all = true, report = true): r.proven]" => "[true, true, true]";
@@ -107,26 +108,31 @@ fn within_range(
 ) -> Result<Value> {
     let range = SearchRange::new(within)?;
     // Bounds are computed where they are asked for, so that a search for one root costs no more.
-    let proof = match is_all || is_report {
-        true => proof(ctx, function, &range),
-        false => None,
-    };
+    let bounded = ctx.caller.bounded(&function.value.0);
+    let bounds = |interval| bounded.as_ref()?.over(interval);
+    let mut proof = (is_all || is_report).then(|| RootProof::of(bounds, range.ends));
     let (mut n_asked, mut dim) = (0_usize, None);
     let mut ask = |at| {
         n_asked += 1;
         number_at(ctx, function, &range, (at, &mut dim))
     };
-    let found = match &proof {
-        Some(RootProof { brackets, open: Some(open) }) if is_all => {
-            proven_roots(brackets, open, &mut ask)
-        }
+    let mut found = match &proof {
+        Some(proof) if is_all && proof.open.is_some() => proof.roots(bounds, &mut ask, range.ends),
         _ if is_all => find_roots(&mut ask, range.ends),
         _ => find_root(&mut ask, range.ends).map(|root| vec![root]),
     };
+    if matches!(found, Err(RootError::NoRoot { .. })) {
+        // It may touch zero where no sample tells.
+        let proof = proof.get_or_insert_with(|| RootProof::of(bounds, range.ends));
+        let first =
+            proof.roots(bounds, &mut ask, range.ends).ok().and_then(|all| all.first().copied());
+        found = first.map(|root| vec![root]).map_or(found, Ok);
+    }
     let roots = match found {
         Ok(roots) => roots,
         Err(err) => {
-            let is_nowhere = proof_of_none(ctx, function, &range, &err);
+            let is_nowhere = matches!(err, RootError::NoRoot { .. })
+                && proof.is_some_and(|it| it.is_whole() && it.brackets.is_empty());
             return Err(refusal(err, function, &range, (dim, is_nowhere)));
         }
     };
@@ -155,28 +161,6 @@ fn within_range(
         true => Ok(Value::List(found.collect())),
         false => Ok(found.next().unwrap_or(Value::None)),
     }
-}
-
-/// The roots in intervals that hold one each, and those that are found in others of which that is not sure, in order.
-fn proven_roots(
-    brackets: &[[f64; 2]],
-    open: &[[f64; 2]],
-    ask: &mut impl FnMut(f64) -> Result<f64>,
-) -> std::result::Result<Vec<Sample>, RootError<Box<Diagnostic>>> {
-    let mut roots = Vec::with_capacity(brackets.len());
-    for &bracket in brackets {
-        roots.push(find_root(&mut *ask, bracket)?);
-    }
-    for &interval in open {
-        match find_root(&mut *ask, interval) {
-            Ok(root) => roots.push(root),
-            Err(RootError::NoRoot { .. }) => {}
-            Err(other) => return Err(other),
-        }
-    }
-    roots.sort_by(|a, b| a.at.total_cmp(&b.at));
-    roots.dedup_by_key(|root| root.at.to_bits());
-    Ok(roots)
 }
 
 /// How much nearer to a root its slope is looked at again.
@@ -223,23 +207,6 @@ fn varying(
         found = found.minus(&rest.scaled(1.0 / steepness)).with_value(root);
     }
     Ok(Number { value: Real::Jet(found), dim: range.dim }.into_value())
-}
-
-/// What bounds of the function tell of its roots; none where it does what tells no bounds.
-fn proof(ctx: &Ctx<'_>, function: &Spanned<Callback>, range: &SearchRange) -> Option<RootProof> {
-    let bounded = ctx.caller.bounded(&function.value.0)?;
-    Some(RootProof::of(|interval| bounded.over(interval), range.ends))
-}
-
-/// Whether it is sure that there is no root, where none was found.
-fn proof_of_none(
-    ctx: &Ctx<'_>,
-    function: &Spanned<Callback>,
-    range: &SearchRange,
-    err: &RootError<Box<Diagnostic>>,
-) -> bool {
-    matches!(err, RootError::NoRoot { .. })
-        && proof(ctx, function, range).is_some_and(|it| it.is_whole() && it.brackets.is_empty())
 }
 
 /// Why there is no root, in the words of the script.

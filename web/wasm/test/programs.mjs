@@ -20,7 +20,9 @@ const HEADING = 60;
 const SLOW = new Set([
   "areas-and-volumes.geo",
   "areas-of-uneven-weights.geo",
+  "gradients-agree-with-differences.geo",
   "how-surfaces-bend.geo",
+  "solids-are-cut-by-planes.geo",
   "steep-waves-take-few-control-points.geo",
   "surfaces-of-functions-as-nurbs.geo",
   "surfaces-that-run-close.geo",

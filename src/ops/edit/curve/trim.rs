@@ -2,8 +2,8 @@
 
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Curve, Interval},
-    value::{At, Ctx, op},
+    kernel::Curve,
+    value::{At, Ctx, ParameterRange, op},
 };
 
 op! {
@@ -15,12 +15,13 @@ op! {
         /// The curve.
         c: Curve,
         /// The range, inside the curve's domain.
-        range: Spanned<Interval>,
+        range: Spanned<ParameterRange>,
     }
     example "trim(line((0, 0), (4, 8)), 0.25..0.5).points" => "[(1, 2, 0), (2, 4, 0)]";
     example "trim(line((0, 0), (4, 8)), 0.25..0.5).domain" => "0.25..0.5";
     refuses "trim(bezier((0, 0), (1, 2), (2, 0)), 0.5..2)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "trim(bezier((0, 0), (1, 2), (2, 0)), 0.5..0.5)" => "E0606: `trim`: `range`: an interval needs its start below its end, got 0.5..0.5";
+    refuses "trim(line((0, 0), (10, 0)), 0mm..0.5mm)" => "E0303: `trim`: `range` must be a range of plain numbers, found the range 0mm..0.5mm";
     derivative affine;
     scene r#"
         curve part = trim(c, 0.2..0.7) with (color = "red")
@@ -29,5 +30,5 @@ op! {
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
-    args.c.trimmed(args.range.value).at(args.range.span)
+    args.c.trimmed(args.range.value.0).at(args.range.span)
 }

@@ -3,8 +3,8 @@
 use super::some_of;
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Interval, Surface},
-    value::{At, Ctx, op},
+    kernel::Surface,
+    value::{At, Ctx, ParameterRange, op},
 };
 
 op! {
@@ -16,9 +16,9 @@ op! {
         /// The surface.
         s: Surface,
         /// The range of u, inside the surface's domain.
-        u: Option<Spanned<Interval>>,
+        u: Option<Spanned<ParameterRange>>,
         /// The range of v.
-        v: Option<Spanned<Interval>>,
+        v: Option<Spanned<ParameterRange>>,
     }
     example "trim(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5..1).points" => "[[(1, 0, 0), (1, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
     example "trim(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5..1, v = 0..0.25).domain_v" => "0..0.25";
@@ -36,5 +36,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Surface> {
     let ranges = some_of(args.u, args.v, ctx, "a..b")?;
     ranges
         .into_iter()
-        .try_fold(args.s, |s, (along, range)| s.trimmed(along, range.value).at(range.span))
+        .try_fold(args.s, |s, (along, range)| s.trimmed(along, range.value.0).at(range.span))
 }

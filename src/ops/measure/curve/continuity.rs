@@ -6,7 +6,7 @@ use crate::{
     diag::{Result, Spanned},
     kernel::{Continuity, Curve, Side},
     ops::measure::continuity_limits::ContinuityOptions,
-    value::{Angle, At, Ctx, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
+    value::{Angle, At, Ctx, Curvature, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
 };
 
 op! {
@@ -40,7 +40,7 @@ op! {
         /// By how much tangents may differ for G1.
         angle: Option<Spanned<Angle>>,
         /// By how much curvature vectors may differ for G2.
-        curvature_gap: Option<Spanned<f64>>,
+        curvature_gap: Option<Spanned<Curvature>>,
     }
     example "continuity(line((0, 0), (1, 0)), line((1, 0), (3, 0))).c" => "0";
     example "continuity(line((0, 0), (1, 0)), line((1, 0), (3, 0))).g" => "3";
@@ -51,6 +51,7 @@ op! {
     example "continuity(line((0, 0), (1, 0)), line((1, 0.01), (2, 0.01)), tolerance = 0.02).g" => "3";
     example "continuity(polyline((0, 0), (1, 0), (2, 0.01)), angle = 1deg).g" => "3";
     example "continuity(arc((0, 0), 10, 0deg, 90deg), arc((0, 1), 9, 90deg, 180deg), curvature_gap = 0.02).g" => "2";
+    example "continuity(arc((0, 0), 10, 0deg, 90deg), arc((0, 1), 9, 90deg, 180deg), curvature_gap = 0.02/1mm).g" => "2";
     refuses "continuity(circle((0, 0), 1), angle = 0deg)" => "E0607: the angle must be positive, found 0deg";
 }
 

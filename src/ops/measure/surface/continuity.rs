@@ -6,7 +6,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Edge, Surface, SurfaceContinuity},
     ops::measure::continuity_limits::ContinuityOptions,
-    value::{Angle, At, Ctx, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
+    value::{Angle, At, Ctx, Curvature, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
 };
 
 op! {
@@ -45,7 +45,7 @@ op! {
         /// By how much tangent planes may differ for G1.
         angle: Option<Spanned<Angle>>,
         /// By how much normal curvatures may differ for G2.
-        curvature_gap: Option<Spanned<f64>>,
+        curvature_gap: Option<Spanned<Curvature>>,
     }
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").c" => "0";
     example "continuity(bilinear((0, 0), (0, 1), (1, 0), (1, 1)), bilinear((1, 0), (1, 1), (3, 0), (3, 1)), \"u1\", \"u0\").g" => "3";

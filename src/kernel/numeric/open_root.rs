@@ -1,0 +1,120 @@
+//! Roots of a function where bounds of its values and slopes tell of none.
+
+use super::{
+    bisection::bisected, enclosure::Enclosure, root::find_root, root_error::RootError,
+    sample::Sample,
+};
+use crate::{
+    ceiling::BISECTIONS,
+    tolerance::{OPEN_WIDTH_RELATIVE, ROOT_RELATIVE},
+};
+
+/// A root that no bracket proves.
+#[derive(Clone, Copy)]
+pub(super) struct OpenRoot {
+    pub(super) sample: Sample,
+    /// Whether the slope of the function changes its sign there.
+    pub(super) is_at_rest: bool,
+}
+
+/// The roots in an interval of which bounds over intervals do not tell whether it holds any; `whole` is the length of
+/// all that is searched.
+///
+/// No sample tells where a function only touches zero at a place between two numbers of the computer. There its slope
+/// changes its sign, and its bounds at that place hold zero. What is zero as far as rounding tells all along a part
+/// that is narrow beside the whole is one root, in its middle.
+///
+/// # Errors
+/// Those of the function; a jump over zero; a stretch along which it is zero.
+pub(super) fn roots_in_open<E>(
+    bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>,
+    function: &mut impl FnMut(f64) -> Result<f64, E>,
+    interval: [f64; 2],
+    whole: f64,
+) -> Result<Vec<OpenRoot>, RootError<E>> {
+    let [low, high] = interval;
+    let is_narrow = high - low <= OPEN_WIDTH_RELATIVE * whole;
+    let rest = resting_place(bounds, interval);
+    let at_rest = rest.and_then(|at| bounds([at, at]));
+    let parts = match (rest, at_rest) {
+        (Some(at), Some(found)) if found.may_vanish() => {
+            return Ok(vec![OpenRoot {
+                sample: Sample { at, value: function(at)? },
+                is_at_rest: true,
+            }]);
+        }
+        (Some(at), Some(_)) if low < at && at < high => vec![[low, at], [at, high]],
+        _ => vec![interval],
+    };
+    let mut is_zero = |at: f64| is_zero(bounds, at);
+    let mut roots = Vec::new();
+    for part in parts {
+        let found = find_root(&mut *function, part);
+        let zeros = match &found {
+            Err(RootError::NoRoot { nearest, .. }) => Some([nearest.at; 2]),
+            Err(RootError::Jump { sides: [a, b] }) if is_narrow => Some([a.at, b.at]),
+            Err(RootError::Flat { stretch }) if is_narrow => Some(*stretch),
+            _ => None,
+        };
+        let zeros = zeros.filter(|ends| ends.iter().all(|&at| is_zero(at)));
+        match (found, zeros) {
+            (Ok(sample), _) => roots.push(OpenRoot { sample, is_at_rest: false }),
+            (_, Some([from, to])) => {
+                let at = from + 0.5 * (to - from);
+                let sample = Sample { at, value: function(at)? };
+                roots.push(OpenRoot { sample, is_at_rest: false });
+            }
+            (Err(RootError::NoRoot { .. }), None) => {}
+            (Err(other), None) => return Err(other),
+        }
+    }
+    Ok(roots)
+}
+
+/// Roots in order, of which those are one between which the function is zero as far as rounding tells: where it is at
+/// rest if it is anywhere, else the one in their middle.
+pub(super) fn told_apart(
+    bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>,
+    roots: &[OpenRoot],
+    whole: f64,
+) -> Vec<Sample> {
+    let is_same = |a: &OpenRoot, b: &OpenRoot| {
+        let [from, to] = [a.sample.at, b.sample.at];
+        let mut between = PLACES_BETWEEN.into_iter().map(|share| from + share * (to - from));
+        to - from <= ROOT_RELATIVE * whole
+            || (to - from <= OPEN_WIDTH_RELATIVE * whole && between.all(|at| is_zero(bounds, at)))
+    };
+    let one = |same: &[OpenRoot]| {
+        let at_rest = same.iter().find(|root| root.is_at_rest);
+        at_rest.unwrap_or(&same[same.len() / 2]).sample
+    };
+    roots.chunk_by(is_same).map(one).collect()
+}
+
+fn is_zero(bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>, at: f64) -> bool {
+    bounds([at, at]).is_some_and(|bounds| bounds.may_vanish())
+}
+
+/// Where a function is looked at between two roots that may be one, as shares of the way.
+const PLACES_BETWEEN: [f64; 3] = [0.25, 0.5, 0.75];
+
+/// Where the slope of a function changes its sign, to the last bits; none where it is not seen to do so.
+fn resting_place(
+    bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>,
+    [low, high]: [f64; 2],
+) -> Option<f64> {
+    let mut slope = |at: f64| bounds([at, at]).map(|bounds| bounds.slope()).unwrap_or_default();
+    let is_growing = |[least, most]: [f64; 2]| match () {
+        () if 0.0 < least => Some(true),
+        () if most < 0.0 => Some(false),
+        () => None,
+    };
+    let [before, behind] = [slope(low), slope(high)].map(is_growing);
+    if before? == behind? {
+        return None;
+    }
+    let rise = |[least, most]: [f64; 2]| least + most;
+    let ends = bisected([low, high], BISECTIONS, |at| before == Some(0.0 < rise(slope(at))));
+    let [on, off] = ends.map(|at| (rise(slope(at)).abs(), at));
+    Some(if on.0 <= off.0 { on.1 } else { off.1 })
+}
