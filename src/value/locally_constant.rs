@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use super::{
     Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Range, Real, Type, Value,
-    Vector, from_value::check_plain,
+    Vector, parameter_range::check_plain,
 };
 use crate::{diag::Span, kernel::Interval};
 

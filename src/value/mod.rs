@@ -28,6 +28,7 @@ mod misplaced;
 mod number;
 mod on_numbers;
 mod op;
+mod parameter_range;
 mod range;
 mod read_json;
 mod real;
@@ -63,8 +64,7 @@ pub use field::{field, field_names, table_row};
 pub use files::{Files, MemoryFiles, NoFiles};
 pub use format::{FormatRefusal, NumberFormat};
 pub use from_value::{
-    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, ParameterRange,
-    Rows,
+    Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,
 };
 pub use function::{Closure, Function, Partial};
 pub use into_value::IntoValue;
@@ -81,6 +81,7 @@ pub use op::{
     Bounded, Caller, Comparison, Ctx, EnclosedFunction, Example, ExamplePicture, Family, Op,
     OpParameter, RefusalExample, Relation,
 };
+pub use parameter_range::ParameterRange;
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};
 pub use real::Real;

@@ -14,10 +14,10 @@ const UNEVENNESS: f64 = 0.3;
 
 /// The place in an interval at which a function is least, and its value there.
 ///
-/// Places at nearly equal distances tell near which the least value is: some seventeen, and the more the oftener the function turns
-/// between them, up to 257. From there on Brent's method goes on, and in other valleys whose bottom may be lower. A
-/// valley between two of these places in which no other is lower than theirs is missed. The least value may
-/// stand at an end.
+/// Places at nearly equal distances tell near which the least value is: some seventeen, and the more the oftener the
+/// function turns between them, up to 257. From there on Brent's method goes on, and in other valleys whose bottom
+/// may be lower. A valley between two of these places in which no other is lower than theirs is missed. The least
+/// value may stand at an end.
 ///
 /// ```
 /// use virote_kernel::find_least;

@@ -1,6 +1,6 @@
 //! The border of a face in space.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::DVec3;
 
@@ -17,7 +17,25 @@ use crate::{
     tolerance::{EDGE_SHARE, QUADRATURE_RELATIVE},
 };
 
+/// The border of a face at a tolerance, once it was asked for. It is known by what it is of: all of them are equal,
+/// and what is copied to become another face has none.
+#[derive(Debug, Default)]
+pub(super) struct KnownBorder(OnceLock<(u64, Arc<[BorderArc]>)>);
+
+impl Clone for KnownBorder {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for KnownBorder {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
 /// An arc of the border: in the plane of parameters, in space, and where it stands.
+#[derive(Clone, Debug)]
 pub(super) struct BorderArc {
     pub(super) in_plane: NurbsCurve,
     curve: Curve,
@@ -136,7 +154,7 @@ impl Face {
     /// out of the box of what is known.
     pub(super) fn border_bounds(&self, distance: f64) -> Result<Option<Bounds>, GeomError> {
         let (mut whole, mut parts): (Option<Bounds>, _) = (None, Vec::new());
-        for arc in self.border_arcs(distance)? {
+        for arc in self.border_arcs(distance)?.iter() {
             let mut known = Bounds::of([arc.curve.start(), arc.curve.end()]);
             match &arc.curve {
                 Curve::Nurbs(curve) => known = Some(curve.bounds()),
@@ -178,7 +196,7 @@ impl Face {
         distance: f64,
     ) -> Result<Option<DVec3>, GeomError> {
         let mut best: Option<(f64, DVec3)> = None;
-        for arc in self.border_arcs(distance)? {
+        for arc in self.border_arcs(distance)?.iter() {
             let foot = match arc.curve.closest(point, distance) {
                 Ok(foot) => foot,
                 Err(_) => Curve::from(spline(&arc.curve, distance)?).closest(point, distance)?,
@@ -193,7 +211,7 @@ impl Face {
     /// The arcs of the border, chained to closed rings.
     fn rings(&self, distance: f64) -> Result<Vec<Vec<Curve>>, GeomError> {
         let mut left: Vec<Option<BorderArc>> =
-            self.border_arcs(distance)?.into_iter().map(Some).collect();
+            self.border_arcs(distance)?.iter().cloned().map(Some).collect();
         let mut rings = Vec::new();
         while let Some(first) = left.iter_mut().find_map(Option::take) {
             let (start, mut end, mut at) = (first.curve.start(), first.curve.end(), first.at);
@@ -224,7 +242,19 @@ impl Face {
     }
 
     /// The arcs of all loops but seams that the face goes over and edges that are points.
-    pub(super) fn border_arcs(&self, distance: f64) -> Result<Vec<BorderArc>, GeomError> {
+    pub(super) fn border_arcs(&self, distance: f64) -> Result<Arc<[BorderArc]>, GeomError> {
+        match self.border.0.get() {
+            Some((known, arcs)) if *known == distance.to_bits() => Ok(Arc::clone(arcs)),
+            _ => {
+                let arcs: Arc<[BorderArc]> = self.arcs_outside_seams(distance)?.into();
+                // Of two that come at once either is as good; of another tolerance it is not kept.
+                let _ = self.border.0.set((distance.to_bits(), Arc::clone(&arcs)));
+                Ok(arcs)
+            }
+        }
+    }
+
+    fn arcs_outside_seams(&self, distance: f64) -> Result<Vec<BorderArc>, GeomError> {
         let mut found = Vec::new();
         for (i, part) in self.parts.iter().enumerate() {
             for (k, arcs) in part.arcs().enumerate() {

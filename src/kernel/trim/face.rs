@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::{FaceError, plane::ParameterPlane};
+use super::{FaceError, border::KnownBorder, plane::ParameterPlane};
 use crate::{
     Bounds, Direction, Frame, GeomError, Grid, KnotVector, LocalError, NurbsCurve, NurbsSurface,
     Region, RegionSide, Tolerance,
@@ -32,6 +32,7 @@ pub struct Face {
     pub(super) plane: ParameterPlane,
     /// Where it is, in the plane of parameters; several parts hang together over seams.
     pub(super) parts: Vec<Region>,
+    pub(super) border: KnownBorder,
 }
 
 /// A connected part of a face's parameters: the curves of parameters along each of its loops, the
@@ -63,7 +64,7 @@ impl Face {
         let plane = ParameterPlane::of(surface, distance);
         let border = plane.border()?;
         let whole = Region::of_known_arcs(Frame::XY, vec![border]);
-        Ok(Self { plane, parts: vec![whole] })
+        Ok(Self { plane, parts: vec![whole], border: KnownBorder::default() })
     }
 
     /// What a region holds, on the part of its plane around it; u and v are coordinates of its frame.
@@ -139,7 +140,7 @@ impl Face {
             };
             Region::of_known_arcs(Frame::XY, part.arcs().map(back).collect())
         });
-        Self { parts: parts.collect(), plane }
+        Self { parts: parts.collect(), plane, border: KnownBorder::default() }
     }
 
     /// Whether it is all of its surface.
@@ -228,7 +229,7 @@ impl Face {
         let stretch = DAffine3::from_scale(DVec3::new(stretch[0], stretch[1], 1.0));
         let parts = self.parts.iter().map(|part| part.transformed(&stretch));
         let parts = parts.collect::<Result<Vec<_>, _>>()?;
-        Ok(Self { plane, parts })
+        Ok(Self { plane, parts, border: KnownBorder::default() })
     }
 
     /// Whether a place at an end of a closed direction is inside on either side of it.

@@ -10,11 +10,11 @@ op! {
     /// Unknowns at which a function is least: a number within a range, or several unknowns within bounds,
     /// from a start, and under conditions.
     ///
-    /// Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257 where the function turns often, tell near
-    /// which the least value is; from there on the search goes by parabolas and golden sections. The place
-    /// has half of the digits that numbers have, the value there all of them. Where a whole stretch is least it
-    /// is one place of it; a function that is the same everywhere is refused. Brent, *Algorithms for
-    /// Minimization without Derivatives*, ch. 5.
+    /// Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
+    /// where the function turns often, tell near which the least value is; from there on the search goes by parabolas
+    /// and golden sections. The place has half of the digits that numbers have, the value there all of them. Where a
+    /// whole stretch is least it is one place of it; a function that is the same everywhere is refused. Brent,
+    /// *Algorithms for Minimization without Derivatives*, ch. 5.
     ///
     /// Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
     /// or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,

@@ -17,15 +17,17 @@ use crate::{
 op! {
     /// Number within a range at which a function is zero: `solve(h => volume(bottle(h)) - 0.75e6, within = 10cm..40cm)`.
     ///
-    /// Where the function has different signs at both ends, the root between them is found in some ten
-    /// steps, as exactly as numbers tell it. Where it has the same sign, the range is divided until it has
-    /// not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
-    /// there. A jump over zero, such as a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a list. Of a
-    /// function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
-    /// values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
-    /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding tells is a root. Of any other function the list holds every root that
-    /// 256 places at equal distances tell apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
-    /// Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
+    /// Where the function has different signs at both ends, the root between them is found in some ten steps, as
+    /// exactly as numbers tell it. Where it has the same sign, the range is divided until it has not, and at last the
+    /// place where it is nearest to zero is looked at, since it may only touch zero there. A jump over zero, such as
+    /// a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a
+    /// list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
+    /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
+    /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
+    /// tells is a root. Of any other function the list holds every root that 256 places at equal distances tell
+    /// apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid
+    /// quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud, *Introduction to
+    /// Interval Analysis*, §8.1.
     ///
     /// Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
     /// as many as the unknowns.
