@@ -89,7 +89,7 @@
 //! ## Solids
 //!
 //! - [`Solid`] of faces that close, [`Solid::capped`] by plane faces, of a region [`Solid::extruded`] or [`Solid::revolved`];
-//!   [`Solid::cut`] by a plane into a [`CutSolid`];
+//!   [`Solid::cut`] by a plane, [`Solid::section`];
 //!   [`Solid::faces`], [`Solid::shells`], [`Solid::bodies`] with their voids ([`SolidBody`]); [`Solid::topology`], a [`SolidTopology`] of [`SolidEdge`]s;
 //!   [`Solid::volume_mass`], [`Solid::area_mass`], [`Solid::mesh`], [`Solid::closest`] with its [`SolidClosestPoint`], [`Solid::side_of`].
 //! - What is refused: [`SolidError`].
@@ -216,9 +216,7 @@ pub use skin::{
     SkinError, SkinInput, SkinnedSurface, aligned, at_constant_speed, corners_of_ring,
     with_seam_at_corner,
 };
-pub use solid::{
-    CutSolid, Solid, SolidBody, SolidClosestPoint, SolidEdge, SolidError, SolidTopology,
-};
+pub use solid::{Solid, SolidBody, SolidClosestPoint, SolidEdge, SolidError, SolidTopology};
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
     Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,

@@ -21,3 +21,14 @@ check volume(cut(ring, plane((4, 0, 0), (1, 0.3, 0.2)))) + volume(cut(ring, plan
 // A thin tube through a ball.
 face inside = trim(cylinder((0, 0, -12), 0.1, 24), by = sphere((0, 0, 0), 10), keep = (0.1, 0, 0))
 check area(inside) ~= 0.4 * pi * sqrt(99.99) within 1e-9
+
+// A plane that touches a hole, or a seam: each side is judged by itself, and a section needs none.
+face below = trim(ball, by = plane((2, 0, 0), (1, 1, 0)), keep = "below")
+check area(below) ~= 16 * pi - cap within 1e-9
+let depth = 2 - sqrt(2)
+check volume(cut(solid(ball), plane((2, 0, 0), (1, 1, 0)), keep = "above")) ~= pi * depth^2 * (6 - depth) / 3 within 1e-6
+let holes = [circle((1, 1), 0.5), circle((3, 1), 0.5)]
+solid plate = extrude(region(polyline([(0, 0), (4, 0), (4, 2), (0, 2)], closed = true), holes = holes), (0, 0, 1))
+let beside = plane((1.5, 0, 0), (1, 0, 0))
+check volume(cut(plate, beside, keep = "above")) ~= 5 - pi / 4 within 1e-6
+check sum([for part in section(plate, beside): area(part)]) ~= 2 within 1e-6

@@ -229,8 +229,8 @@ fn edges_tell_the_genus_and_nearest_faces_the_inside() {
     let nested = [ball(DVec3::ZERO, 3.0), ball(DVec3::ZERO, 1.0)];
     let nested = Solid::new(&nested, TOLERANCE).expect("a hollow ball");
     let tilted = Frame::from_normal(DVec3::Y * 0.2, DVec3::new(0.3, 0.1, 1.0), None);
-    let half = tube.cut(tilted.expect("a plane").at(DVec3::Z * 1.5), TOLERANCE).expect("halves");
-    let half = half.below.expect("a part");
+    let tilted = tilted.expect("a plane").at(DVec3::Z * 1.5);
+    let half = tube.cut(tilted, false, TOLERANCE).expect("a half").expect("a part");
     for (solid, genus) in [(&tube, 1), (&plate, 9), (&nested, 0), (&half, 1)] {
         let found = solid.topology(TOLERANCE).expect("edges");
         assert_eq!(found.genus(), genus);

@@ -7,7 +7,7 @@ use virote_kernel::{
     glam::{DAffine3, DVec3},
 };
 
-use crate::solid::{TOLERANCE, ball, check, polygon, region, sieve, whole};
+use crate::solid::{TOLERANCE, ball, check, circle, polygon, region, sieve, whole};
 
 fn cube(x: f64) -> f64 {
     x * x * x
@@ -16,12 +16,12 @@ fn cube(x: f64) -> f64 {
 /// The volumes of both sides of a plane, and the area between them.
 #[track_caller]
 fn cut(solid: &Solid, plane: Frame) -> ([f64; 2], f64) {
-    let found = solid.cut(plane, TOLERANCE).expect("both sides");
-    let volume = |side: &Option<Solid>| {
-        side.as_ref().map_or(0.0, |side| side.volume_mass().expect("a volume").amount)
-    };
-    let area = found.section.iter().map(|region| region.mass().amount).sum();
-    ([volume(&found.below), volume(&found.above)], area)
+    let side = |is_above| solid.cut(plane, is_above, TOLERANCE).expect("a side");
+    let volumes = [false, true].map(|is_above| {
+        side(is_above).map_or(0.0, |side| side.volume_mass().expect("a volume").amount)
+    });
+    let section = solid.section(plane, TOLERANCE).expect("a section");
+    (volumes, section.iter().map(|region| region.mass().amount).sum())
 }
 
 /// A cap of height h of a ball holds πh²(r − h/3) above a circle of radius √(r² − (r − h)²), wherever they are.
@@ -80,7 +80,7 @@ fn planes_beside_trimmed_faces_leave_them_whole() {
 
     let ball = Solid::new(&[ball(DVec3::ZERO, 2.0)], TOLERANCE).expect("a ball");
     let at = |height: f64| Frame::XY.at(DVec3::Z * height);
-    let cap = ball.cut(at(1.0), TOLERANCE).expect("both sides").above.expect("a cap");
+    let cap = ball.cut(at(1.0), true, TOLERANCE).expect("a side").expect("a cap");
     let ([below, above], _) = cut(&cap, at(0.5));
     assert!(below.abs() < 1e-9 && (above - 5.0 / 3.0 * PI).abs() < 1e-5, "{below} {above}");
     let ([below, above], _) = cut(&cap, at(1.5));
@@ -125,9 +125,10 @@ fn a_side_may_fall_apart_into_parts_of_one_face() {
     let fork = Solid::extruded(&region(&polygon(&corners), &[]), DVec3::Z, TOLERANCE);
     let fork = fork.expect("a fork");
     let plane = Frame::from_normal(DVec3::Y * 2.0, DVec3::Y, None).expect("a plane");
-    let halves = fork.cut(plane, TOLERANCE).expect("both sides");
-    let (legs, base) = (halves.above.expect("legs"), halves.below.expect("a base"));
-    assert_eq!((legs.shells().count(), base.shells().count(), halves.section.len()), (2, 1, 2));
+    let side = |is_above| fork.cut(plane, is_above, TOLERANCE).expect("a side").expect("a part");
+    let (legs, base) = (side(true), side(false));
+    let section = fork.section(plane, TOLERANCE).expect("a section");
+    assert_eq!((legs.shells().count(), base.shells().count(), section.len()), (2, 1, 2));
     check(&legs, 2.0, 4);
     check(&base, 5.0, 2);
     // Parts of one plane that overlap, or one in the other, are refused.
@@ -139,6 +140,45 @@ fn a_side_may_fall_apart_into_parts_of_one_face() {
     for other in [plate(1.0, 2.0, 1.0), plate(1.0, 4.0, 2.0), plate(2.5, 5.0, 1.0)] {
         let found = Solid::new(&[plate(0.0, 3.0, 3.0), other].concat(), TOLERANCE);
         assert!(matches!(found, Err(GeomError::Solid(SolidError::ShellsMeet { .. }))), "{found:?}");
+    }
+}
+
+/// A plane that touches a hole or a void from outside cuts what is on its other side, and has a section; the side of
+/// the hole would touch itself along a line or in a point.
+#[test]
+fn sides_are_judged_by_themselves_where_planes_touch_holes() {
+    let square = polygon(&[[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 2.0, 0.0], [0.0, 2.0, 0.0]]);
+    let hole = |x: f64| circle(Frame::XY.at(DVec3::new(x, 1.0, 0.0)), 0.5);
+    let plate = Solid::extruded(&region(&square, &[hole(1.0), hole(3.0)]), DVec3::Z, TOLERANCE);
+    let corners = [[1.0, 0.5, 0.0], [1.5, 1.0, 0.0], [1.0, 1.5, 0.0], [0.5, 1.0, 0.0]];
+    let pierced = Solid::extruded(&region(&square, &[polygon(&corners)]), DVec3::Z, TOLERANCE);
+    let balls = [ball(DVec3::ZERO, 2.0), ball(DVec3::ZERO, 1.0)];
+    let pipe =
+        |radius: f64| whole(NurbsSurface::cone(Frame::XY, [radius; 2], 3.0).expect("a pipe"));
+    let segment = 4.0 * libm::acos(0.5) - libm::sqrt(3.0);
+    for (solid, plane, above, area) in [
+        (plate, Frame::YZ.at(DVec3::X * 1.5), 5.0 - PI / 4.0, 2.0),
+        (pierced, Frame::YZ.at(DVec3::X * 1.5), 5.0, 2.0),
+        (Solid::new(&balls, TOLERANCE), Frame::XY.at(DVec3::Z), 5.0 / 3.0 * PI, 3.0 * PI),
+        (
+            Solid::capped(&[pipe(2.0), pipe(1.0)], TOLERANCE),
+            Frame::YZ.at(DVec3::X),
+            3.0 * segment,
+            6.0 * libm::sqrt(3.0),
+        ),
+    ] {
+        let solid = solid.expect("a solid");
+        let side = solid.cut(plane, true, TOLERANCE).expect("a side").expect("a part");
+        let volume = side.volume_mass().expect("a volume").amount;
+        assert!((volume - above).abs() < 1e-5, "{volume} for {above}");
+        let section = solid.section(plane, TOLERANCE).expect("a section");
+        let found: f64 = section.iter().map(|region| region.mass().amount).sum();
+        assert!((found - area).abs() < 1e-5, "{found} for {area}");
+        let other = solid.cut(plane, false, TOLERANCE);
+        let Err(GeomError::Solid(SolidError::TouchesPlane { point })) = other else {
+            panic!("{:?} for a side that touches {plane:?}", other.err());
+        };
+        assert!((point - plane.origin()).dot(plane.z()).abs() < 1e-6, "{point}");
     }
 }
 

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{PlaneLoop, Region};
+use super::{PlaneLoop, Region, bounds_of};
 use crate::{
-    Bounds, ClosestPoint, Interval, MassProperties, NurbsCurve,
+    Bounds, ClosestPoint, Frame, Interval, MassProperties, NurbsCurve, Tolerance,
     arrange::winding_about,
     numeric::gauss_legendre::{SIXTEEN_NODES, nodes},
     tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
@@ -12,6 +12,12 @@ use crate::{
 
 /// Halvings of a piece whose integrals do not settle.
 const HALVINGS: usize = 30;
+
+/// Lines across a region on which places inside are looked for, by fractions of its height.
+const LOOKS_ACROSS: [f64; 3] = [0.27, 0.48, 0.74];
+
+/// Such places on each stretch of a line, by fractions.
+const LOOKS_ALONG: [f64; 2] = [0.31, 0.69];
 
 /// Area, first moments of x and y, second ones of xx, xy and yy.
 type Moments = [f64; 6];
@@ -104,6 +110,37 @@ impl Region {
             Some(_) => RegionSide::Inside,
             None => RegionSide::Border,
         }
+    }
+
+    /// Some places of its borders and inside of it.
+    pub(crate) fn some_places(&self) -> Vec<DVec3> {
+        let arcs = || self.loops.iter().flat_map(|border| &border.arcs);
+        let mut places: Vec<DVec3> = Vec::new();
+        places.extend(arcs().flat_map(|arc| [arc.start(), arc.point_at(arc.domain().at(0.5))]));
+        let Some(Bounds { min, max }) = bounds_of(&self.loops) else { return places };
+        for y in LOOKS_ACROSS.map(|at| min.y + (max.y - min.y) * at) {
+            let line = Frame::ZX.at(DVec3::Y * y);
+            let crossings = |arc: &NurbsCurve| {
+                let parameters = match arc.bounds() {
+                    Bounds { min, max } if min.y <= y && y <= max.y => {
+                        arc.plane_parameters(line, Tolerance::DEFAULT)
+                    }
+                    _ => Vec::new(),
+                };
+                parameters.into_iter().map(|t| arc.point_at(t).x).collect::<Vec<f64>>()
+            };
+            let mut crossed: Vec<f64> = arcs().flat_map(crossings).collect();
+            crossed.sort_by(f64::total_cmp);
+            for pair in crossed.windows(2) {
+                let inside = LOOKS_ALONG.map(|at| pair[0] + (pair[1] - pair[0]) * at);
+                let inside = inside.map(|x| DVec3::new(x, y, 0.0));
+                let is_inside = |place: &DVec3| {
+                    winding_about(self.arcs(), *place).is_some_and(|winding| winding != 0)
+                };
+                places.extend(inside.into_iter().filter(is_inside));
+            }
+        }
+        places.into_iter().map(|place| self.frame.point(place)).collect()
     }
 
     /// The nearest point of the region: of the inside where the point is above that, else of the border.

@@ -1,85 +1,165 @@
 //! Solids cut by planes.
 
-use super::{Solid, SolidError, box_around};
-use crate::{Face, Frame, GeomError, Region, Tolerance};
+use glam::DVec3;
 
-/// What is on both sides of a plane: below it, and above it, where its normal points.
-///
-/// ```
-/// use std::{f64::consts::PI, sync::Arc};
-/// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance, glam::DVec3};
-///
-/// let ball = Arc::new(NurbsSurface::sphere(Frame::XY, 2.0)?);
-/// let ball = Solid::new(&[Face::whole(ball, Tolerance::DEFAULT)?], Tolerance::DEFAULT)?;
-/// let halves = ball.cut(Frame::XY.at(DVec3::Z), Tolerance::DEFAULT)?;
-/// let cap = halves.above.expect("the ball reaches above the plane");
-/// assert!((cap.volume_mass()?.amount - 5.0 / 3.0 * PI).abs() < 1e-6);
-/// assert!((halves.section[0].mass().amount - 3.0 * PI).abs() < 1e-6);
-/// # Ok::<(), virote_kernel::GeomError>(())
-/// ```
-#[derive(Clone, Debug)]
-pub struct CutSolid {
-    /// The side to which the normal of the plane does not point.
-    pub below: Option<Solid>,
-    /// The other one.
-    pub above: Option<Solid>,
-    /// What the plane has of the solid, the largest region first; faces in the plane included.
-    pub section: Vec<Region>,
+use super::{
+    Solid, SolidError, box_around,
+    caps::{PlaneCaps, plane_caps},
+};
+use crate::{Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral};
+
+/// The faces of a solid beside a plane.
+struct FacesBeside {
+    /// Below it, and above it, where its normal points.
+    sides: [Vec<Face>; 2],
+    /// Whether some lie in it.
+    has_face_within: bool,
+    /// Places that it has in common with surfaces of faces.
+    contacts: Vec<DVec3>,
 }
 
 impl Solid {
-    /// Both sides of a plane, and what lies in it.
+    /// The part above a plane, where its normal points, or below it; none where there is nothing.
     ///
-    /// The faces of a side are the parts of the solid's faces there, and plane faces within the rims that the
-    /// plane leaves. Both volumes must come to the solid's, so that no loop of the cut is missed.
+    /// Its faces are the parts of the solid's faces there, and plane faces within the rims that the plane leaves.
+    /// Each side is judged by itself: its volume must be what the flux through the solid's faces there tells, to
+    /// which the plane adds nothing.
+    ///
+    /// ```
+    /// use std::{f64::consts::PI, sync::Arc};
+    /// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance, glam::DVec3};
+    ///
+    /// let ball = Arc::new(NurbsSurface::sphere(Frame::XY, 2.0)?);
+    /// let ball = Solid::new(&[Face::whole(ball, Tolerance::DEFAULT)?], Tolerance::DEFAULT)?;
+    /// let cap = ball.cut(Frame::XY.at(DVec3::Z), true, Tolerance::DEFAULT)?;
+    /// let cap = cap.expect("the ball reaches above the plane");
+    /// assert!((cap.volume_mass()?.amount - 5.0 / 3.0 * PI).abs() < 1e-6);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
     ///
     /// # Errors
-    /// [`SolidError::UncertainCut`] where they do not; those of [`crate::Face::split`] but for a plane that
+    /// [`SolidError::UncertainCut`] where the volume is another; those of [`Face::split`] but for a plane that
     /// misses, and of [`Self::capped`].
-    pub fn cut(&self, plane: Frame, tolerance: Tolerance) -> Result<CutSolid, GeomError> {
+    pub fn cut(
+        &self,
+        plane: Frame,
+        is_above: bool,
+        tolerance: Tolerance,
+    ) -> Result<Option<Self>, GeomError> {
+        let FacesBeside { sides: [below, above], contacts, .. } =
+            self.faces_beside(plane, tolerance)?;
+        let (faces, others) = if is_above { (above, below) } else { (below, above) };
+        if faces.is_empty() {
+            return Ok(None);
+        }
+        if others.is_empty() {
+            return Ok(Some(self.clone()));
+        }
         let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
-        let mut sides = [Vec::new(), Vec::new()];
-        let mut has_face_within = false;
-        for face in &self.faces {
-            GeomError::go_on(1)?;
-            let is_within = face.height_above(plane, tolerance)?.abs() <= distance;
-            has_face_within |= is_within;
-            if !is_within {
-                for (part, height) in face.divided_by_plane(plane, tolerance)? {
-                    sides[usize::from(0.0 < height)].push(part);
-                }
-            }
+        let within = tolerance.with_distance(distance);
+        let caps = plane_caps(&faces, tolerance)?;
+        if let Some(point) = touching(&faces, &caps, contacts, plane, within) {
+            return Err(SolidError::TouchesPlane { point }.into());
         }
-        if !has_face_within && sides.iter().any(Vec::is_empty) {
-            let side = |faces: &Vec<Face>| (!faces.is_empty()).then(|| self.clone());
-            let [below, above] = sides.each_ref().map(side);
-            return Ok(CutSolid { below, above, section: Vec::new() });
+        let side = Self::closed_by(&faces, caps, tolerance)?;
+        let around = box_around(&faces);
+        let about = around.center() - plane.z() * (around.center() - plane.origin()).dot(plane.z());
+        let mut flux = MassIntegral::default();
+        for face in &faces {
+            flux.add(face.flux_moments(about)?, 1.0);
         }
-        let mut closed = [None, None];
-        let mut caps = [Vec::new(), Vec::new()];
-        for ((solid, caps), faces) in closed.iter_mut().zip(&mut caps).zip(&sides) {
-            if !faces.is_empty() {
-                let (made, regions) = Self::with_caps(faces, tolerance)?;
-                (*solid, *caps) = (Some(made), regions);
-            }
-        }
-        let whole = self.volume_mass()?;
-        let mut parts = 0.0;
-        for side in closed.iter().flatten() {
-            parts += side.volume_mass()?.amount;
-        }
-        let allowed = distance * self.area_mass()?.amount + whole.relative_error * whole.amount;
-        let missing = (whole.amount - parts).abs();
+        let (told, _) = flux.amount_of_volume()?;
+        let found = side.volume_mass()?;
+        let allowed =
+            distance * side.area_mass()?.amount + found.relative_error * (found.amount + told);
+        let missing = (found.amount - told).abs();
         if missing.is_nan() || allowed < missing {
             return Err(SolidError::UncertainCut { missing, allowed }.into());
         }
-        let [below, above] = closed;
-        let [under, over] = caps;
-        let section = match has_face_within {
-            // A face in the plane ends one side, and is not cut.
-            true => Region::union(&[under, over].concat(), tolerance, 1)?,
-            false => under,
-        };
-        Ok(CutSolid { below, above, section })
+        Ok(Some(side))
     }
+
+    /// What a plane has of it, the largest region first; faces in the plane are among it.
+    ///
+    /// ```
+    /// use std::{f64::consts::PI, sync::Arc};
+    /// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance, glam::DVec3};
+    ///
+    /// let ball = Arc::new(NurbsSurface::sphere(Frame::XY, 2.0)?);
+    /// let ball = Solid::new(&[Face::whole(ball, Tolerance::DEFAULT)?], Tolerance::DEFAULT)?;
+    /// let section = ball.section(Frame::XY.at(DVec3::Z), Tolerance::DEFAULT)?;
+    /// assert!((section[0].mass().amount - 3.0 * PI).abs() < 1e-6);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Face::split`] but for a plane that misses, of [`Self::capped`] but for those of bodies, and of
+    /// [`Region::union`].
+    pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<Vec<Region>, GeomError> {
+        let FacesBeside { sides: [below, above], has_face_within, .. } =
+            self.faces_beside(plane, tolerance)?;
+        let caps = |faces: &[Face]| Ok::<_, GeomError>(plane_caps(faces, tolerance)?.regions);
+        if has_face_within {
+            // A face in the plane ends one side, and is not cut.
+            return Region::union(&[caps(&below)?, caps(&above)?].concat(), tolerance, 1);
+        }
+        match below.is_empty() || above.is_empty() {
+            true => Ok(Vec::new()),
+            false => caps(&below),
+        }
+    }
+
+    /// # Errors
+    /// Those of [`Face::split`] but for a plane that misses.
+    fn faces_beside(&self, plane: Frame, tolerance: Tolerance) -> Result<FacesBeside, GeomError> {
+        let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
+        let mut found = FacesBeside {
+            sides: [Vec::new(), Vec::new()],
+            has_face_within: false,
+            contacts: Vec::new(),
+        };
+        for face in &self.faces {
+            GeomError::go_on(1)?;
+            let is_within = face.height_above(plane).abs() <= distance;
+            found.has_face_within |= is_within;
+            if !is_within {
+                let divided = face.divided_by_plane(plane, tolerance)?;
+                for (part, height) in divided.parts {
+                    found.sides[usize::from(0.0 < height)].push(part);
+                }
+                found.contacts.extend(divided.contacts);
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// A place in which the faces on one side of a plane come to the regions that close them, other than in their rims.
+fn touching(
+    faces: &[Face],
+    caps: &PlaneCaps,
+    contacts: Vec<DVec3>,
+    plane: Frame,
+    tolerance: Tolerance,
+) -> Option<DVec3> {
+    let side_of_caps = |point: DVec3| {
+        let sides = caps.regions.iter().map(|region| region.side_of(point, tolerance.distance));
+        sides.into_iter().find(|&side| side != RegionSide::Outside)
+    };
+    let side_of_faces = |point: DVec3| {
+        let sides = faces.iter().filter_map(|face| {
+            let foot = face.surface().closest(point);
+            let side = || face.side_of_parameters(foot.parameters, tolerance.distance);
+            (foot.distance <= tolerance.distance).then(side)
+        });
+        sides.into_iter().find(|&side| side != RegionSide::Outside)
+    };
+    let touches = |&point: &DVec3| match side_of_caps(point) {
+        None | Some(RegionSide::Outside) => false,
+        Some(RegionSide::Inside) => side_of_faces(point).is_some(),
+        Some(RegionSide::Border) => side_of_faces(point) == Some(RegionSide::Inside),
+    };
+    let is_within = |point: &DVec3| side_of_caps(*point) == Some(RegionSide::Inside);
+    let of_edges = caps.edges.iter().flat_map(|edge| edge.places_in(plane, tolerance));
+    contacts.into_iter().find(touches).or_else(|| of_edges.into_iter().find(is_within))
 }

@@ -61,12 +61,15 @@ pub enum SolidError {
     /// Open edges that do not close.
     #[error("the edges without a neighbour do not make a closed rim: one ends at {}, {} from the next", place(*point), few_digits(*gap))]
     OpenRim { point: DVec3, gap: f64 },
-    /// Sides of a plane whose volumes do not come to that of what was cut.
+    /// A side of a plane whose volume is not what the faces there tell.
     #[error(
-        "both sides of the plane enclose {} more or less than the solid, where {} could be rounding: a part of the cut may be missing",
+        "this side of the plane encloses {} more or less than its faces tell, where {} could be rounding: a part of the cut may be missing",
         few_digits(*missing), few_digits(*allowed)
     )]
     UncertainCut { missing: f64, allowed: f64 },
+    /// A side of a plane that touches itself in the plane.
+    #[error("this side of the plane would touch itself at {}, where the plane touches a hole in it", place(*point))]
+    TouchesPlane { point: DVec3 },
     /// An edge that is not gone along by two faces from end to end.
     #[error("the edge at {} has no other one along all of it, so that no faces share it", place(*point))]
     UnmatchedEdge { point: DVec3 },

@@ -1,11 +1,11 @@
 //! Solids: faces that close, with an inside.
 //!
 //! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
-//! which, `cap` plane rims that are closed by plane faces, `cut` what is on both sides of a plane, `sweep` regions
+//! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it, `sweep` regions
 //! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
 //! that they share, `place` where points are.
 
-mod cap;
+mod caps;
 mod cut;
 mod error;
 mod mesh;
@@ -22,7 +22,6 @@ use crate::{
     trim::{EnclosedShell, FaceBorderEdge, enclosed_shells},
 };
 
-pub use cut::CutSolid;
 pub use error::SolidError;
 pub use nesting::SolidBody;
 pub use place::SolidClosestPoint;

@@ -11,7 +11,7 @@ use super::{
     measure::{arm, flux},
 };
 use crate::{
-    Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
+    Bounds, Frame, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
     surface::{Density, IntegralValues, MOMENT_KINDS, MassIntegral, moments},
 };
@@ -225,6 +225,24 @@ impl FaceBorderEdge {
     pub(super) fn new(face: usize, curve: NurbsCurve) -> Self {
         let bounds = curve.bounds();
         Self { face, curve, bounds }
+    }
+
+    /// Where it comes to a plane.
+    pub(crate) fn places_in(&self, plane: Frame, tolerance: Tolerance) -> Vec<DVec3> {
+        let height = |point: DVec3| (point - plane.origin()).dot(plane.z());
+        let (lowest, highest) = self
+            .bounds
+            .corners()
+            .into_iter()
+            .map(height)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
+        if highest < -tolerance.distance || tolerance.distance < lowest {
+            return Vec::new();
+        }
+        let parameters = self.curve.plane_parameters(plane, tolerance).into_iter();
+        let ends = [self.curve.start(), self.curve.end()].into_iter();
+        let ends = ends.filter(|&end| height(end).abs() <= tolerance.distance);
+        ends.chain(parameters.map(|t| self.curve.point_at(t))).collect()
     }
 
     /// Places between its ends, each a point and the way of the edge there.

@@ -11,8 +11,8 @@ use super::{
     pull::{Height, MOST_BESIDE, arcs_on_surface},
 };
 use crate::{
-    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
-    Surface, SurfaceClosestPoint, Tolerance, tolerance::DEFAULT_CHORD_RELATIVE,
+    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, Region,
+    RegionSide, Surface, SurfaceClosestPoint, Tolerance,
 };
 
 /// What divides a face.
@@ -39,6 +39,14 @@ pub enum Cutter {
     Surface(Arc<NurbsSurface>),
     /// A part of a surface.
     Face(Arc<Face>),
+}
+
+/// What a plane makes of a face.
+pub(crate) struct PartsBesidePlane {
+    /// Its parts, each with the farthest height over the plane.
+    pub(crate) parts: Vec<(Face, f64)>,
+    /// Places that the plane has in common with the surface, one of each curve among them.
+    pub(crate) contacts: Vec<DVec3>,
 }
 
 impl Face {
@@ -73,8 +81,12 @@ impl Face {
     /// [`FaceError::OffSurface`] of a curve beside it; those of `Surface::intersections`.
     pub fn split(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let division = self.divided(cutters, tolerance)?;
+        Ok(self.with_parts(&division))
+    }
+
+    fn with_parts(&self, division: &Division) -> Vec<Self> {
         let parts = division.all().into_iter();
-        Ok(parts.map(|parts| Self { parts, ..self.clone() }).collect())
+        parts.map(|parts| Self { parts, ..self.clone() }).collect()
     }
 
     /// The part beside a point, of those into which cutters divide the face.
@@ -118,11 +130,11 @@ impl Face {
         is_above: bool,
         tolerance: Tolerance,
     ) -> Result<Vec<Self>, GeomError> {
-        let parts = self.divided_by_plane(plane, tolerance)?.into_iter();
+        let parts = self.divided_by_plane(plane, tolerance)?.parts.into_iter();
         Ok(parts.filter(|&(_, height)| (0.0 < height) == is_above).map(|(part, _)| part).collect())
     }
 
-    /// The parts into which a plane divides it, or all of it, with the farthest height of each over the plane.
+    /// The parts into which a plane divides it, or all of it.
     ///
     /// # Errors
     /// Those of [`Self::beside_plane`].
@@ -130,40 +142,32 @@ impl Face {
         &self,
         plane: Frame,
         tolerance: Tolerance,
-    ) -> Result<Vec<(Self, f64)>, GeomError> {
-        let parts = match self.split(&[Cutter::Plane(plane)], tolerance) {
-            Err(GeomError::Face(FaceError::Misses { .. })) => vec![self.clone()],
-            found => found?,
+    ) -> Result<PartsBesidePlane, GeomError> {
+        let (arcs, contacts) = self.plane_arcs(plane, 0, tolerance)?;
+        let divided = match arcs.is_empty() {
+            true => None,
+            false => match self.divided_along(&arcs, &vec![0; arcs.len()], 1, tolerance) {
+                Err(GeomError::Face(FaceError::Misses { .. })) => None,
+                found => Some(found?),
+            },
+        };
+        let parts = match divided {
+            None => vec![self.clone()],
+            Some(division) => self.with_parts(&division),
         };
         let with_height = |part: Self| {
-            let height = part.height_above(plane, tolerance)?;
-            Ok((part, height))
+            let height = part.height_above(plane);
+            (part, height)
         };
-        parts.into_iter().map(with_height).collect()
+        Ok(PartsBesidePlane { parts: parts.into_iter().map(with_height).collect(), contacts })
     }
 
-    /// The farthest height over a plane of places of a face that is on one side of it.
-    pub(crate) fn height_above(
-        &self,
-        plane: Frame,
-        tolerance: Tolerance,
-    ) -> Result<f64, GeomError> {
-        let distance = self.distance(tolerance);
-        let mut farthest = 0.0_f64;
-        for part in &self.parts {
-            let chord = DEFAULT_CHORD_RELATIVE * part.bounds().diagonal();
-            let mesh = part.mesh(chord, distance, u32::MAX as usize).map_err(self.in_space())?;
-            for [a, b, c] in mesh.corners() {
-                // The middles of triangles on both sides may lie in the plane, and so may all of one's corners.
-                for place in [a, b, c, (a + b + c) / 3.0] {
-                    let height = (self.plane.point(place) - plane.origin()).dot(plane.z());
-                    if farthest.abs() < height.abs() {
-                        farthest = height;
-                    }
-                }
-            }
-        }
-        Ok(farthest)
+    /// The farthest height over a plane of some places of a face that is on one side of it.
+    pub(crate) fn height_above(&self, plane: Frame) -> f64 {
+        let places = self.parts.iter().flat_map(Region::some_places);
+        let height = |place: DVec3| (self.plane.point(place) - plane.origin()).dot(plane.z());
+        let farther = |a: f64, b: f64| if a.abs() < b.abs() { b } else { a };
+        places.map(height).fold(0.0, farther)
     }
 
     pub(super) fn distance(&self, tolerance: Tolerance) -> f64 {
@@ -171,7 +175,6 @@ impl Face {
     }
 
     fn divided(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Division, GeomError> {
-        let distance = self.distance(tolerance);
         let (mut arcs, mut cutter_of) = (Vec::new(), Vec::new());
         for (index, cutter) in cutters.iter().enumerate() {
             let found = self.arcs_of(cutter, index, tolerance)?;
@@ -181,8 +184,20 @@ impl Face {
             cutter_of.resize(cutter_of.len() + found.len(), index);
             arcs.extend(found);
         }
-        let division = Division::of(self, &arcs, distance, 1).map_err(self.in_space())?;
-        for index in 0..cutters.len() {
+        self.divided_along(&arcs, &cutter_of, cutters.len(), tolerance)
+    }
+
+    /// What arcs of several cutters, each with the number of its own, make of it.
+    fn divided_along(
+        &self,
+        arcs: &[NurbsCurve],
+        cutter_of: &[usize],
+        n_cutters: usize,
+        tolerance: Tolerance,
+    ) -> Result<Division, GeomError> {
+        let distance = self.distance(tolerance);
+        let division = Division::of(self, arcs, distance, 1).map_err(self.in_space())?;
+        for index in 0..n_cutters {
             let is_its = |arc: usize| cutter_of[arc] == index;
             if division.has_between(is_its) {
                 continue;
@@ -212,31 +227,13 @@ impl Face {
     ) -> Result<Vec<NurbsCurve>, GeomError> {
         let surface = Surface::Nurbs(Arc::clone(&self.plane.surface));
         let limits = [self.distance(tolerance), tolerance.angle];
-        let runs_along = |error| match error {
-            GeomError::Picture(PictureError::SurfacesRunTogether { point }) => {
-                FaceError::RunsAlong { index, point }.into()
-            }
-            GeomError::Intersection(IntersectionError::RunTogether { .. }) => {
-                FaceError::RunsAlong { index, point: self.plane.point(place_of(&self.parts)) }
-                    .into()
-            }
-            other => other,
-        };
+        let runs_along = self.runs_along(index);
         let pulled = |curves: &[NurbsCurve], height: Option<&Height<'_>>| {
-            let mut arcs = Vec::new();
-            for curve in curves {
-                let what = ("cutter", index);
-                arcs.extend(arcs_on_surface(&self.plane, curve, height, what, limits)?);
-            }
-            Ok(arcs)
+            self.pulled(curves, height, index, limits)
         };
         match cutter {
             Cutter::Curve(curve) => pulled(std::slice::from_ref(curve), None),
-            Cutter::Plane(plane) => {
-                let found = surface.section(*plane, tolerance).map_err(runs_along)?;
-                let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
-                pulled(&found.curves, Some(&height))
-            }
+            Cutter::Plane(plane) => Ok(self.plane_arcs(*plane, index, tolerance)?.0),
             Cutter::Surface(_) | Cutter::Face(_) => {
                 let (other, face) = match cutter {
                     Cutter::Face(face) => (face.surface(), Some(face)),
@@ -262,6 +259,50 @@ impl Face {
                 };
                 pulled(&curves, Some(&height))
             }
+        }
+    }
+
+    /// The arcs of a plane, and places that it has in common with the surface, one of each curve among them.
+    fn plane_arcs(
+        &self,
+        plane: Frame,
+        index: usize,
+        tolerance: Tolerance,
+    ) -> Result<(Vec<NurbsCurve>, Vec<DVec3>), GeomError> {
+        let surface = Surface::Nurbs(Arc::clone(&self.plane.surface));
+        let found = surface.section(plane, tolerance).map_err(self.runs_along(index))?;
+        let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
+        let limits = [self.distance(tolerance), tolerance.angle];
+        let arcs = self.pulled(&found.curves, Some(&height), index, limits)?;
+        let middle = |curve: &NurbsCurve| curve.point_at(curve.domain().at(0.5));
+        let on_curves: Vec<DVec3> = found.curves.iter().map(middle).collect();
+        Ok((arcs, [found.touches, found.uncertain, on_curves].concat()))
+    }
+
+    fn pulled(
+        &self,
+        curves: &[NurbsCurve],
+        height: Option<&Height<'_>>,
+        index: usize,
+        limits: [f64; 2],
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
+        let mut arcs = Vec::new();
+        for curve in curves {
+            arcs.extend(arcs_on_surface(&self.plane, curve, height, ("cutter", index), limits)?);
+        }
+        Ok(arcs)
+    }
+
+    fn runs_along(&self, index: usize) -> impl Fn(GeomError) -> GeomError {
+        move |error| match error {
+            GeomError::Picture(PictureError::SurfacesRunTogether { point }) => {
+                FaceError::RunsAlong { index, point }.into()
+            }
+            GeomError::Intersection(IntersectionError::RunTogether { .. }) => {
+                FaceError::RunsAlong { index, point: self.plane.point(place_of(&self.parts)) }
+                    .into()
+            }
+            other => other,
         }
     }
 }

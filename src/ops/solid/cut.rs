@@ -13,8 +13,8 @@ op! {
     /// The part of a solid on one side of a plane, closed by plane faces; `none` where there is nothing.
     ///
     /// Above is where the plane's normal points. Its faces are the parts of the solid's faces there, then the plane ones. Where the side
-    /// falls apart, it is one solid of several shells. Both sides are made, and their volumes must come to the whole. What the plane has of
-    /// the solid is `section(s, plane)`.
+    /// falls apart, it is one solid of several shells. Its volume must be what its faces tell. What the plane has of the solid is
+    /// `section(s, plane)`.
     cut in Solid -> CutPart {
         /// The solid.
         s: GivenSolid,
@@ -56,9 +56,6 @@ impl IntoValue for CutPart {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<CutPart> {
-    let found = args.s.cut(*args.plane.value, ctx.tolerance).at(args.plane.span)?;
-    Ok(CutPart(match args.keep {
-        Side::Below => found.below,
-        Side::Above => found.above,
-    }))
+    let is_above = args.keep == Side::Above;
+    Ok(CutPart(args.s.cut(*args.plane.value, is_above, ctx.tolerance).at(args.plane.span)?))
 }

@@ -25,5 +25,5 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
-    Ok(args.s.cut(*args.plane.value, ctx.tolerance).at(args.plane.span)?.section)
+    args.s.section(*args.plane.value, ctx.tolerance).at(args.plane.span)
 }

@@ -80,6 +80,7 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::AcrossAxis { .. } => Code::Degenerate,
         SolidError::PointOnAxis { .. }
         | SolidError::ShellsMeet { .. }
+        | SolidError::TouchesPlane { .. }
         | SolidError::CrossesItself { .. } => Code::NotManifold,
         SolidError::Thin { .. }
         | SolidError::UnclearNesting { .. }

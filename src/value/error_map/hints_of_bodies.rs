@@ -73,7 +73,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UnclearSide { .. } => {
             "ask about a point that is further from edges and corners"
         }
-        SolidError::UncertainCut { .. } => "move the plane by more than the tolerance",
+        SolidError::UncertainCut { .. } | SolidError::TouchesPlane { .. } => {
+            "move the plane by more than the tolerance"
+        }
         SolidError::OpenRim { .. } => "give the surfaces that are missing; `cap` closes whole rims",
     };
     hint.to_owned()

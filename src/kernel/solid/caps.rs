@@ -27,25 +27,48 @@ impl Solid {
     /// # Errors
     /// [`SolidError::UnevenRim`], [`SolidError::OpenRim`]; those of [`Self::new`] and [`Region::even_odd`].
     pub fn capped(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
-        Self::with_caps(faces, tolerance)?.0.uncrossed(tolerance)
+        Self::with_caps(faces, tolerance)?.uncrossed(tolerance)
     }
 
-    /// The same of faces that cross nowhere, with the regions that close it.
+    /// The same of faces that cross nowhere.
     ///
     /// # Errors
     /// Those of [`Self::capped`] but for crossings.
-    pub(super) fn with_caps(
+    pub(super) fn with_caps(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
+        Self::closed_by(faces, plane_caps(faces, tolerance)?, tolerance)
+    }
+
+    /// What faces enclose together with their caps.
+    ///
+    /// # Errors
+    /// Those of [`Self::capped`] but for rims and crossings.
+    pub(super) fn closed_by(
         faces: &[Face],
+        PlaneCaps { regions, mut edges }: PlaneCaps,
         tolerance: Tolerance,
-    ) -> Result<(Self, Vec<Region>), GeomError> {
-        let mut edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        let regions = regions_within(rims(faces, &edges, tolerance)?, tolerance)?;
+    ) -> Result<Self, GeomError> {
         let caps = regions.iter().map(|region| Face::of_region(region, tolerance));
         let caps: Vec<Face> = caps.collect::<Result<_, GeomError>>()?;
         edges.extend(FaceBorderEdge::all(&caps, faces.len(), tolerance)?);
-        let solid = Self::with_edges(&[faces, &caps].concat(), &edges, tolerance)?;
-        Ok((solid, regions))
+        Self::with_edges(&[faces, &caps].concat(), &edges, tolerance)
     }
+}
+
+/// Regions that close faces.
+pub(super) struct PlaneCaps {
+    pub(super) regions: Vec<Region>,
+    /// The edges of the faces.
+    pub(super) edges: Vec<FaceBorderEdge>,
+}
+
+/// The regions within the rims of faces.
+///
+/// # Errors
+/// Those of [`Solid::capped`] but for those of bodies.
+pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCaps, GeomError> {
+    let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
+    let regions = regions_within(rims(faces, &edges, tolerance)?, tolerance)?;
+    Ok(PlaneCaps { regions, edges })
 }
 
 /// The regions that plane edges close, even-odd in each plane.
