@@ -34,12 +34,28 @@ let dumbbell = union(box_of(0, 0, 4, 4), box_of(8, 0, 4, 4), box_of(3, 1.5, 6, 1
 print offset(dumbbell, -0.6), offset(dumbbell, -3), offset(frame_of_bars, 0.6)
 check [for c in ["round", "miter", "bevel"]: area(offset(a, 1, corner = c)[0])] ~= [26 + pi, 30, 28]
 
+// Inward past the least radius of curvature, where offsets of the border turn back; each step takes what its border
+// goes along. Exactly half the width of a slot leaves nothing.
+region blob = region(interpolate([for i in 0..<8: polar(1 + 0.3*sin(i*3), i*360deg/8)], closed = true))
+let steps = [for i in 0..12: offset(blob, -0.44 - 0.005*i)]
+fn total(parts, f) = sum([for part in parts: f(part)])
+check every(0..<12, i => total(steps[i], area) - total(steps[i + 1], area) ~= 0.0025mm*(total(steps[i], length) + total(steps[i + 1], length)) within 1e-5)
+region slot = region(join([line((0, 0), (1, 0)), arc((1, 0.5), 0.5, -90deg, 90deg), line((1, 1), (0, 1)), arc((0, 0.5), 0.5, 90deg, 270deg)]))
+print offset(slot, -0.5), offset(slot, -0.4)
+check area(offset(slot, -0.4)[0]) ~= 0.2 + 0.01*pi
+
 // Rounded corners: of lines, and between a line and an arc.
 region half = region([arc((0, 0), 2, 0deg, 180deg), line((-2, 0), (2, 0))])
 region soft = fillet(half, 0.25)
 print half, soft, fillet(a, 0.5, at = [(4, 3)])
 check area(fillet(a, 0.5)) ~= 12 - (4 - pi)*0.25
 check bounds(soft).max.y ~= 2
+fn roof(turn) = polyline([(0, 0), (2, 0), 2*(1, 0) + 2*(cos(turn), sin(turn)), (4, 3), (0, 3)], closed = true)
+check every([1e-2, 1e-3, 1e-4, 2e-5], t => area(fillet(region(roof(t * 1rad)), 0.5, at = [(2, 0)])) ~= area(region(roof(t * 1rad))) within 1e-7)
+
+// A sliver is meshed as closely as its sides ask for.
+region sliver = region([line((0, 0), (10, 0)), arc_through((10, 0), (5, 0.01), (0, 0))])
+check area(planar_mesh(sliver)) ~= area(sliver) within 0.01
 
 // Outlines sorted by the even-odd rule.
 print regions([circle((0, 0), 1), circle((0, 0), 3), circle((0, 0), 2), circle((9, 0), 1)])

@@ -121,3 +121,22 @@ fn polygons_of_many_sides_shrink_to_polygons() {
         }
     }
 }
+
+/// A corner that turns by θ loses r²(tan(θ/2) − θ/2), next to nothing where it is nearly straight.
+#[test]
+fn corners_that_are_nearly_straight_are_rounded() {
+    let radius = 0.5;
+    for turn in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5] {
+        let (sine, cosine) = libm::sincos(turn);
+        let points =
+            [[0.0, 0.0], [2.0, 0.0], [2.0 + 2.0 * cosine, 2.0 * sine], [4.0, 3.0], [0.0, 3.0]];
+        let mut points = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+        points.push(points[0]);
+        let whole = Region::new(&NurbsCurve::polyline(&points).unwrap(), &[], TOLERANCE).unwrap();
+        let rounded = whole.filleted(radius, Some(&[points[1]]), TOLERANCE).unwrap();
+        let lost = radius * radius * (libm::tan(0.5 * turn) - 0.5 * turn);
+        let found = whole.area() - rounded.area();
+        assert!((found - lost).abs() < 1e-12, "{turn}: {found} for {lost}");
+        assert_eq!(rounded.arcs().next().unwrap().len(), 6);
+    }
+}

@@ -172,18 +172,38 @@ fn corner_circle(
         Err(error) => Err(error),
     };
     let [Some(first), Some(second)] = [offset(arcs[0])?, offset(arcs[1])?] else { return Ok(None) };
-    let meetings = first.intersections(&second, tolerance.distance)?;
-    let circle = |point: DVec3| {
-        let places = arcs.map(|arc| arc.closest(point, tolerance.distance).parameter);
-        let places = polished(arcs, side, places)?;
+    let mut starts = match first.intersections(&second, tolerance.distance) {
+        Ok(meetings) => {
+            let foot = |arc: &NurbsCurve, point| arc.closest(point, tolerance.distance).parameter;
+            let feet = |point: DVec3| arcs.map(|arc| foot(arc, point));
+            meetings.iter().map(|meeting| feet(meeting.point)).collect()
+        }
+        // Beside a corner that is nearly straight both run together.
+        Err(GeomError::Intersection(_)) => Vec::new(),
+        Err(other) => return Err(other),
+    };
+    starts.push(beside_corner(arcs, radius * libm::tan(0.5 * turn.abs())));
+    let circle = |start: [f64; 2]| {
+        let places = polished(arcs, side, start)?;
         let center = beside(arcs[0], places[0], side)?.0;
         let touches = |i: usize| {
             (norm(arcs[i].point_at(places[i]) - center) - radius).abs() <= tolerance.distance
         };
         (touches(0) && touches(1)).then_some(CornerCircle { center, places, turn })
     };
-    let circles = meetings.iter().filter_map(|meeting| circle(meeting.point));
+    let circles = starts.into_iter().filter_map(circle);
     Ok(circles.max_by(|a, b| a.places[0].total_cmp(&b.places[0])))
+}
+
+/// The parameters at which arcs are a way from the corner between them, as far as they go straight there.
+fn beside_corner(arcs: [&NurbsCurve; 2], way: f64) -> [f64; 2] {
+    let [before, next] = arcs.map(NurbsCurve::domain);
+    let speeds =
+        [norm(arcs[0].velocity_at(before.end())[1]), norm(arcs[1].velocity_at(next.start())[1])];
+    [
+        (before.end() - way / speeds[0]).max(before.start()),
+        (next.start() + way / speeds[1]).min(next.end()),
+    ]
 }
 
 /// The point at a distance to the left of a place on an arc, and how it moves with the parameter.

@@ -28,6 +28,9 @@ pub use measure::RegionSide;
 pub use offset::CornerStyle;
 pub use strips::RegionStrip;
 
+/// How often the chords of a mesh are taken a quarter as far from the borders until they meet no more.
+const CLOSER_CHORDS: usize = 6;
+
 /// What lies within a closed plane curve and outside of others, which are holes.
 ///
 /// The normal of the plane points up; of a vertical plane to where y, else x, grows. Seen from its tip
@@ -200,11 +203,23 @@ impl Region {
         Ok(Self { frame, loops })
     }
 
-    /// Its mesh, whose borders are within the tolerance of the curves.
+    /// Its mesh, whose borders are within the tolerance of the curves; closer where chords would meet, as those of
+    /// both sides of a sliver.
     ///
     /// # Errors
     /// Those of [`planar_mesh`] and [`tessellate_curve`].
     pub fn mesh(&self, tolerance: f64, distance: f64, most: usize) -> Result<Mesh, GeomError> {
+        let mut chord = tolerance;
+        for _ in 0..CLOSER_CHORDS {
+            match self.mesh_within(chord, distance, most) {
+                Err(GeomError::Picture(_)) => chord *= 0.25,
+                found => return found,
+            }
+        }
+        self.mesh_within(chord, distance, most)
+    }
+
+    fn mesh_within(&self, tolerance: f64, distance: f64, most: usize) -> Result<Mesh, GeomError> {
         let polygon = |border: &PlaneLoop| {
             let mut points = Vec::new();
             for arc in &border.arcs {

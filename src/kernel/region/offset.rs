@@ -16,6 +16,7 @@ use crate::{
     ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side, Tolerance,
     arrange::{self, Apart, Arrangement, Ring},
     frame::{norm, unit},
+    tolerance::PARAMETER_RELATIVE,
 };
 
 /// A mitred corner is no further than so many times the distance from the old one.
@@ -135,11 +136,18 @@ fn add_front(
 ) -> Result<(), GeomError> {
     let n = border.arcs.len();
     for (i, arc) in border.arcs.iter().enumerate() {
-        match arc.offset(distance, DVec3::Z, tolerance) {
-            Ok(offset) => front.push(offset.curve, None),
-            // All of it comes to one point.
-            Err(GeomError::Construction(ConstructionError::VanishingOffset { .. })) => {}
-            Err(error) => return Err(error),
+        for piece in lines_and_rounds(arc)? {
+            match piece.offset(distance, DVec3::Z, tolerance) {
+                Ok(offset) => {
+                    let branches = split_at(&offset.curve, &offset.cusps)?.into_iter();
+                    branches.filter(|branch| !runs_back(branch, &piece)).for_each(|branch| {
+                        front.push(branch, None);
+                    });
+                }
+                // All of it comes to one point.
+                Err(GeomError::Construction(ConstructionError::VanishingOffset { .. })) => {}
+                Err(error) => return Err(error),
+            }
         }
         let next = &border.arcs[(i + 1) % n];
         let corner = next.start();
@@ -173,6 +181,39 @@ fn add_front(
         }
     }
     Ok(())
+}
+
+/// An arc in the parts that its joints leave, so that lines and circular arcs among them are such.
+fn lines_and_rounds(arc: &NurbsCurve) -> Result<Vec<NurbsCurve>, GeomError> {
+    let joints = arc.knots().distinct().into_iter();
+    let joints = joints.filter(|&(_, times)| arc.degree() <= times).map(|(joint, _)| joint);
+    let joints: Vec<f64> = joints.collect();
+    match joints.len() <= 2 || arc.analytic().is_some() {
+        true => Ok(vec![arc.clone()]),
+        false => split_at(arc, &joints),
+    }
+}
+
+/// Whether an offset runs against its arc: behind the centres of curvature, where the arc is nearer than the distance.
+fn runs_back(offset: &NurbsCurve, arc: &NurbsCurve) -> bool {
+    let t = offset.domain().at(0.5);
+    arc.domain().contains(t) && offset.velocity_at(t)[1].dot(arc.velocity_at(t)[1]) < 0.0
+}
+
+/// A curve in parts between parameters in order, of which those at its ends are none.
+fn split_at(curve: &NurbsCurve, places: &[f64]) -> Result<Vec<NurbsCurve>, GeomError> {
+    let (mut rest, mut parts) = (curve.clone(), Vec::new());
+    for &t in places {
+        let domain = rest.domain();
+        let dust = PARAMETER_RELATIVE * curve.domain().length();
+        if domain.start() + dust < t && t < domain.end() - dust {
+            let [part, behind] = rest.split(t)?;
+            parts.push(part);
+            rest = behind;
+        }
+    }
+    parts.push(rest);
+    Ok(parts)
 }
 
 /// The arc about a corner from one place to another, counter-clockwise for a positive distance.
