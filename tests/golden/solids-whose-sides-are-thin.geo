@@ -13,3 +13,9 @@ let halves = [
         volume(cut(solid(sphere((0, 0, 0), r)), plane((0, 0, 0), (1, 1, 0)))) / r^3
 ]
 check every(halves, v => abs(v - 2 / 3 * pi) < 1e-8)
+
+// Shells apart by a thousandth of their size and less.
+check volume(solid([sphere((0, 0, 0), 1), rotate(sphere((0, 0, 0), 0.999), 33deg, axis = (1, 2, 3))])) ~= 4/3*pi*(1 - 0.999^3) within 1e-9
+check volume(solid([torus((0, 0, 0), 3, 1), torus((0, 0, 0), 3, 0.9999)])) ~= 6*pi^2*(1 - 0.9999^2) within 1e-9
+check intersect(sphere((0, 0, 0), 1), sphere((0, 0, 0), 0.9999)) == []
+check intersect(cylinder((0, 0, 0), 1, 3), cylinder((0, 0, 0), 0.9999, 3)) == []

@@ -264,3 +264,18 @@ fn edges_tell_the_genus_and_nearest_faces_the_inside() {
         assert_eq!((rim, corner), (expected, expected), "{off}");
     }
 }
+
+/// Shells that are apart by a hundredth of a thousandth of their size, wherever their poles and seams are.
+#[test]
+fn walls_may_be_thin() {
+    let turn = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.6);
+    let ring = |minor: f64| whole(NurbsSurface::torus(Frame::XY, 3.0, minor).expect("a ring"));
+    for wall in [1e-2, 1e-3, 1e-4, 1e-5] {
+        let inner = ball(DVec3::ZERO, 1.0 - wall).transformed(&turn).expect("an image");
+        let hollow = Solid::new(&[ball(DVec3::ZERO, 1.0), inner], TOLERANCE).expect("a ball");
+        let rest = 1.0 - wall;
+        check(&hollow, 4.0 / 3.0 * PI * (1.0 - rest * rest * rest), 4);
+        let tire = Solid::new(&[ring(1.0), ring(rest)], TOLERANCE).expect("a tire");
+        check(&tire, 6.0 * PI * PI * (1.0 - rest * rest), 0);
+    }
+}

@@ -8,8 +8,9 @@
 //! cylinder and so on once: no Bézier patch turns back, and its border does not meet itself.
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
-//! often, by an `equation` that singular values propose.
+//! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations.
 
+mod apart;
 mod equation;
 mod plane;
 mod quadric;

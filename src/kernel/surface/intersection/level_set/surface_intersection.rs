@@ -62,6 +62,9 @@ impl Surface {
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, magnitude)?;
+        if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
+            return Ok(LevelSet::default());
+        }
         let surfaces = [a, b];
         let elsewhere = with_seams_elsewhere(&surfaces, CONTACT_SHARE * tolerance);
         // What both have along a seam of both is no edge of either.
