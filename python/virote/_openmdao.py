@@ -37,7 +37,7 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
         chosen = _parameters(self.options["script"], self.options["inputs"])
         self._varied = {one["name"]: one for one in chosen if one["range"]}
         for name, one in self._varied.items():
-            unit = one["unit"] and _UNITS.get(one["unit"], one["unit"])
+            unit = one["unit"] and _UNITS.get(one["unit"], one["unit"].replace("^", "**"))
             self.add_input(name, val=float(one["default"]), units=unit, desc=one["label"] or "")
         for name in self.options["outputs"]:
             self.add_output(name)

@@ -88,11 +88,7 @@ pub fn schema_json(file: &str, schema: &Schema) -> Json {
 
 /// Every member is always there; what a parameter lacks is null.
 fn parameter_json(parameter: &SchemaParameter, unit: &str) -> Json {
-    let unit = match parameter.kind {
-        _ if parameter.is_length() => Some(unit),
-        _ if is_angle(parameter) => Some("deg"),
-        _ => None,
-    };
+    let unit = parameter.unit_text(unit);
     let range = match &parameter.allowed {
         Some(Value::Range(range)) => json!({
             "start": number_json(range.start),
@@ -116,10 +112,6 @@ fn parameter_json(parameter: &SchemaParameter, unit: &str) -> Json {
         "label": parameter.label,
         "docs": parameter.docs,
     })
-}
-
-fn is_angle(parameter: &SchemaParameter) -> bool {
-    matches!(&parameter.default, Value::Number(number) if number.dim.is_angle())
 }
 
 fn value_json(value: &Value) -> Json {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Fix, Result, Span},
-    value::Value,
+    value::{Type, Value},
 };
 
 impl Machine<'_> {
@@ -60,6 +60,8 @@ impl Machine<'_> {
                 Some(word) => format!("write `{word}` instead, or `let`"),
                 None => "write `let` instead".to_owned(),
             });
+        let remedy = type_of(kind).and_then(|of| of.remedy(&value));
+        let found = remedy.into_iter().fold(found, Diagnostic::hint);
         fix.into_iter().fold(found, Diagnostic::fix).fail()
     }
 }
@@ -125,6 +127,17 @@ fn stranger(expr: &Expr, value: &Value, kind: Kind, promised: &str) -> Option<Di
 
 fn is_plain(elements: &[Element]) -> bool {
     elements.iter().all(|element| matches!(element, Element::Item(_)))
+}
+
+/// The type of what one of a kind is, where other values are easily made to it.
+fn type_of(kind: Kind) -> Option<Type> {
+    Some(match kind {
+        Kind::Region => Type::Region,
+        Kind::Face => Type::Face,
+        Kind::Solid => Type::Solid,
+        Kind::Mesh => Type::Mesh,
+        _ => return None,
+    })
 }
 
 /// What a list of a kind holds.

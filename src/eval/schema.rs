@@ -44,12 +44,30 @@ impl SchemaParameter {
         matches!(&self.default, Value::Number(number) if number.dim == Dimension::LENGTH)
     }
 
+    /// The dimension that its default has for certain; none of other kinds than numbers.
+    #[must_use]
+    pub fn dimension(&self) -> Option<Dimension> {
+        match &self.default {
+            Value::Number(number) if !number.dim.is_bare() => Some(number.dim),
+            _ => None,
+        }
+    }
+
+    /// What stands behind its numbers where lengths are in `unit`: `mm`, `mm^2`, `deg`; nothing without a dimension.
+    #[must_use]
+    pub fn unit_text(&self, unit: &str) -> Option<String> {
+        let dim = self.dimension()?;
+        if dim.is_angle() { Some("deg".to_owned()) } else { dim.suffix(unit) }
+    }
+
     /// A value of it, or what it allows, as the script could write it: lengths in the document's unit.
     #[must_use]
     pub fn written(&self, value: &Value, unit: &str) -> String {
-        let is_length = self.is_length();
-        let number = |number: Number| {
-            if is_length { format!("{number}{unit}") } else { number.to_string() }
+        let suffix =
+            self.dimension().filter(|dim| !dim.is_angle()).and_then(|dim| dim.suffix(unit));
+        let number = |number: Number| match &suffix {
+            Some(suffix) => format!("{number}{suffix}"),
+            None => number.to_string(),
         };
         match value {
             Value::Number(one) => number(*one),

@@ -25,7 +25,7 @@ pub(super) fn json(schema: Option<&Schema>, report: Option<&Report>, settings: &
 
 fn one(
     parameter: &SchemaParameter,
-    unit: &str,
+    unit: &'static str,
     set: Option<&Setting>,
     in_run: Option<Value>,
 ) -> Json {
@@ -58,11 +58,7 @@ fn one(
         "least": least,
         "most": most,
         "step": step,
-        "unit": match dimension(&parameter.default) {
-            Some(Dimension::LENGTH) => Some(unit),
-            Some(Dimension::ANGLE) => Some("deg"),
-            _ => None,
-        },
+        "unit": parameter.unit_text(unit),
         "choices": choices,
         "isSet": set.is_some(),
     })
@@ -83,12 +79,11 @@ fn kind(parameter: &SchemaParameter) -> &'static str {
     }
 }
 
-/// A value as it stands behind `--set NAME=`: lengths with the document's unit, strings as they are.
-pub(super) fn written(value: &Value, unit: &str) -> String {
+/// A value as it stands behind `--set NAME=`: numbers with their unit, strings as they are.
+pub(super) fn written(value: &Value, unit: &'static str) -> String {
     match value {
-        Value::Number(number) if number.dim == Dimension::LENGTH => format!("{number}{unit}"),
         Value::Text(text) => text.to_string(),
-        other => other.to_string(),
+        other => other.in_unit(unit).to_string(),
     }
 }
 

@@ -13,7 +13,7 @@ use crate::{
     diag::nearest,
     eval::{Schema, SchemaParameter, Setting},
     syntax::ast::Unit,
-    value::shortest,
+    value::{Dimension, shortest},
 };
 
 /// Variants of one study; beyond it nobody waits for the end.
@@ -224,12 +224,22 @@ impl PlanColumn {
             "deg".clone_into(unit);
         }
         let wanted = wanted(parameter.kind);
+        if is_power(unit, parameter) {
+            return Ok(());
+        }
         let Some(known) = Unit::from_name(unit) else {
             return Err(match wanted {
                 Some((_, units)) => format!(
                     "column `{name}` of the plan has the unit `{unit}`, which is not known; write one of {units}"
                 ),
-                None => format!("column `{name}` has a unit, `{unit}`, but the parameter has none"),
+                None => match parameter.unit_text(schema.unit.name()) {
+                    Some(own) => format!(
+                        "column `{name}` of the plan is in {unit}, but the parameter is in {own}"
+                    ),
+                    None => {
+                        format!("column `{name}` has a unit, `{unit}`, but the parameter has none")
+                    }
+                },
             });
         };
         match (parameter.kind, known.millimetres().is_some()) {
@@ -277,6 +287,14 @@ fn wanted(kind: &str) -> Option<(&'static str, &'static str)> {
         "angle" => Some(("an angle", "deg, rad, turn")),
         _ => None,
     }
+}
+
+/// Whether a unit such as `mm^2` or `m^-1` is one of what a parameter measures.
+fn is_power(unit: &str, parameter: &SchemaParameter) -> bool {
+    let Some((base, power)) = unit.split_once('^') else { return false };
+    let is_length = Unit::from_name(base).is_some_and(|base| base.millimetres().is_some());
+    let of = |dim: Dimension| dim.suffix(base).is_some_and(|own| own == unit);
+    is_length && power.parse::<i8>().is_ok() && parameter.dimension().is_some_and(of)
 }
 
 fn unknown(name: &str, parameters: &[SchemaParameter]) -> String {

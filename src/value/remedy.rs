@@ -33,6 +33,16 @@ impl Type {
             (Self::Mesh, Value::Surface(_)) => {
                 "`tessellate(s)` makes a mesh of surfaces that close"
             }
+            (Self::Mesh, Value::Region(_) | Value::Face(_) | Value::Solid(_)) => {
+                "`tessellate(s)` makes a mesh of it"
+            }
+            (Self::Face, Value::Surface(_)) => "`face(s)` makes a face of a surface",
+            (Self::Solid, Value::Surface(_)) => "`solid(s)` is what surfaces that close enclose",
+            (Self::Solid, Value::List(items))
+                if matches!(items.first(), Some(Value::Surface(_))) =>
+            {
+                "`solid(s)` is what surfaces that close enclose"
+            }
             (Self::Point, Value::Number(_)) => {
                 "a point or vector is written `(x, y)` or `(x, y, z)`"
             }
