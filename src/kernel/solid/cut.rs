@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{
     Solid, SolidError, box_around,
     caps::{PlaneCaps, plane_caps},
+    middle,
 };
 use crate::{Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral};
 
@@ -62,17 +63,14 @@ impl Solid {
             return Err(SolidError::TouchesPlane { point }.into());
         }
         let side = Self::closed_by(&faces, caps, tolerance)?;
-        let around = box_around(&faces);
-        let about = around.center() - plane.z() * (around.center() - plane.origin()).dot(plane.z());
-        let mut flux = MassIntegral::default();
-        for face in &faces {
-            flux.add(face.flux_moments(about)?, 1.0);
-        }
-        let (told, _) = flux.amount_of_volume()?;
-        let found = side.volume_mass()?;
-        let allowed =
-            distance * side.area_mass()?.amount + found.relative_error * (found.amount + told);
-        let missing = (found.amount - told).abs();
+        let center = middle(&faces);
+        let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());
+        let ((told, error), (found, its_error)) =
+            (volume(&faces, in_plane)?, volume(&side.faces, center)?);
+        let areas = side.faces.iter().map(Face::area).collect::<Result<Vec<f64>, _>>()?;
+        let rounding = error * told + its_error * found;
+        let allowed = distance * areas.iter().sum::<f64>() + rounding;
+        let missing = (found - told).abs();
         if missing.is_nan() || allowed < missing {
             return Err(SolidError::UncertainCut { missing, allowed }.into());
         }
@@ -132,6 +130,15 @@ impl Solid {
         }
         Ok(found)
     }
+}
+
+/// What faces that look outward enclose, by the flux of the way from a point, and by which fraction that may be wrong.
+fn volume(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
+    let mut flux = MassIntegral::<1>::default();
+    for face in faces {
+        flux.add(face.flux_from(about)?, 1.0);
+    }
+    flux.amount_of_volume()
 }
 
 /// A place in which the faces on one side of a plane come to the regions that close them, other than in their rims.

@@ -71,8 +71,7 @@ impl Solid {
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
         let shells = enclosed_shells(faces, edges, middle(faces), tolerance)?;
-        let areas = faces.iter().map(|face| Ok(face.mass()?.amount));
-        let areas: Vec<f64> = areas.collect::<Result<_, GeomError>>()?;
+        let areas: Vec<f64> = faces.iter().map(Face::area).collect::<Result<_, GeomError>>()?;
         let mut turns = vec![false; faces.len()];
         for shell in &shells {
             let numbers = shell.faces.iter().map(|&(face, _)| face);

@@ -82,6 +82,14 @@ impl Face {
         Self::mass_of(std::slice::from_ref(self))
     }
 
+    /// Its area alone.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn area(&self) -> Result<f64, GeomError> {
+        Ok(self.integral([0], |_, normal| [normal.length()])?.values[0])
+    }
+
     /// The area, centroid and inertia of several together.
     ///
     /// # Errors

@@ -101,6 +101,14 @@ impl Face {
         })
     }
 
+    /// The flux of the way from a point through it.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn flux_from(&self, about: DVec3) -> Result<IntegralValues<1>, GeomError> {
+        self.integral([0], |point, normal| flux(arm(point, about), normal))
+    }
+
     /// The solid angle under which its back is seen from a point that is not on it, less that of its front.
     ///
     /// # Errors
@@ -125,9 +133,7 @@ pub(crate) fn enclosed_shells(
     about: DVec3,
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
-    shells_with(faces, edges, tolerance, |face| {
-        face.integral([0], |point, normal| flux(arm(point, about), normal))
-    })
+    shells_with(faces, edges, tolerance, |face| face.flux_from(about))
 }
 
 /// The shells that faces make, with the sums of what is integrated over each face.
@@ -287,7 +293,7 @@ fn check_widths(
         }
         let own_edges = || edges.iter().filter(|edge| edge.face == face);
         let along: f64 = own_edges().map(|edge| edge.curve.length(edge.curve.domain())).sum();
-        let width = 2.0 * own.mass()?.amount / along;
+        let width = 2.0 * own.area()? / along;
         if width <= 2.0 * distance {
             let point = own_edges().next().map_or(DVec3::ZERO, |edge| edge.curve.start());
             return Err(FaceError::Narrow { face, width, tolerance: distance, point }.into());
