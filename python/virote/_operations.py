@@ -1135,7 +1135,7 @@ def continuity(*args: Any, a: Any = None, b: Any = None, tolerance: Any = None, 
     :param angle: By how much tangents may differ for G1.
     :param curvature_gap: By how much curvature vectors may differ for G2.
 
-    In scripts: ``continuity(a: curve, b: curve = none, tolerance: length = none, angle: angle = none, curvature_gap: number = none) -> record``
+    In scripts: ``continuity(a: curve, b: curve = none, tolerance: length = none, angle: angle = none, curvature_gap: curvature = none) -> record``
 
     How smoothly a surface goes on in another across an edge; of one surface alone the worst
     across the lines of its inner knots, and across its seam where it is closed.
@@ -1165,7 +1165,7 @@ def continuity(*args: Any, a: Any = None, b: Any = None, tolerance: Any = None, 
     :param angle: By how much tangent planes may differ for G1.
     :param curvature_gap: By how much normal curvatures may differ for G2.
 
-    In scripts: ``continuity(a: surface, b: surface = none, edge_a: "u0" | "u1" | "v0" | "v1" = none, edge_b: "u0" | "u1" | "v0" | "v1" = none, tolerance: length = none, angle: angle = none, curvature_gap: number = none) -> record``
+    In scripts: ``continuity(a: surface, b: surface = none, edge_a: "u0" | "u1" | "v0" | "v1" = none, edge_b: "u0" | "u1" | "v0" | "v1" = none, tolerance: length = none, angle: angle = none, curvature_gap: curvature = none) -> record``
     """
     return _called("continuity", args, {"a": a, "b": b, "tolerance": tolerance, "angle": angle, "curvature_gap": curvature_gap, "edge_a": edge_a, "edge_b": edge_b})  # type: ignore[no-any-return]
 
@@ -1508,8 +1508,8 @@ def cut(s: Solid, plane: Frame, *, keep: str | None = None) -> Any:
     """The part of a solid on one side of a plane, closed by plane faces; `none` where there is nothing.
 
     Above is where the plane's normal points. Its faces are the parts of the solid's faces there, then the plane ones. Where the side
-    falls apart, it is one solid of several shells. Both sides are made, and their volumes must come to the whole. What the plane has of
-    the solid is `section(s, plane)`.
+    falls apart, it is one solid of several shells. Its volume must be what its faces tell. What the plane has of the solid is
+    `section(s, plane)`.
 
     :param s: The solid.
     :param plane: The plane.
@@ -2911,10 +2911,10 @@ def maximize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     """Unknowns at which a function is greatest: a number within a range, or several unknowns within bounds,
     from a start, and under conditions.
 
-    Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
-    which the greatest value is; from there on the search goes by parabolas and golden sections. The place
-    has half of the digits that numbers have, the value there all of them. Brent, *Algorithms for
-    Minimization without Derivatives*, ch. 5.
+    Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
+    where the function turns often, tell near which the greatest value is; from there on the search goes by
+    parabolas and golden sections. The place has half of the digits that numbers have, the value there all of
+    them. Brent, *Algorithms for Minimization without Derivatives*, ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
@@ -2998,11 +2998,11 @@ def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     """Unknowns at which a function is least: a number within a range, or several unknowns within bounds,
     from a start, and under conditions.
 
-    Of one number in a range, which may be an end of it: seventeen places at equal distances tell near
-    which the least value is; from there on the search goes by parabolas and golden sections. The place
-    has half of the digits that numbers have, the value there all of them. Where a whole stretch is least it
-    is one place of it; a function that is the same everywhere is refused. Brent, *Algorithms for
-    Minimization without Derivatives*, ch. 5.
+    Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
+    where the function turns often, tell near which the least value is; from there on the search goes by parabolas
+    and golden sections. The place has half of the digits that numbers have, the value there all of them. Where a
+    whole stretch is least it is one place of it; a function that is the same everywhere is refused. Brent,
+    *Algorithms for Minimization without Derivatives*, ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
@@ -4090,15 +4090,17 @@ def solid(g: Any, *, cap: bool | None = None) -> Any:
 def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, start: Any = None, all: bool | None = None, report: bool | None = None) -> Any:
     """Number within a range at which a function is zero: `solve(h => volume(bottle(h)) - 0.75e6, within = 10cm..40cm)`.
 
-    Where the function has different signs at both ends, the root between them is found in some ten
-    steps, as exactly as numbers tell it. Where it has the same sign, the range is divided until it has
-    not, and at last the place where it is nearest to zero is looked at, since it may only touch zero
-    there. A jump over zero, such as a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a list. Of a
-    function of arithmetic, `if` and the functions of one number the range is divided until bounds of its
-    values and slopes prove where its roots are and that there are no others; where roots coincide or lie at the
-    border it is looked at closely what that proof leaves open. Of any other function the list holds every root that
-    256 places at equal distances tell apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997);
-    Moore, Kearfott & Cloud, *Introduction to Interval Analysis*, §8.1.
+    Where the function has different signs at both ends, the root between them is found in some ten steps, as
+    exactly as numbers tell it. Where it has the same sign, the range is divided until it has not, and at last the
+    place where it is nearest to zero is looked at, since it may only touch zero there. A jump over zero, such as
+    a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a
+    list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
+    its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
+    border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
+    tells is a root. Of any other function the list holds every root that 256 places at equal distances tell
+    apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid
+    quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud, *Introduction to
+    Interval Analysis*, §8.1.
 
     Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
     as many as the unknowns.
