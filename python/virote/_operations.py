@@ -2479,7 +2479,7 @@ def interpolate(*args: Any, points: Any = None, degree: Any = None, parameters: 
     return _called("interpolate", args, {"points": points, "degree": degree, "parameters": parameters, "ends": ends, "tangents": tangents, "derivatives": derivatives, "closed": closed, "second_pass": second_pass})
 
 
-def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
+def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = None) -> Any:
     """Every place where two curves come within the document's tolerance of one another, as
     `[{t, s, point}]` in the order of `t`: `t` on the first, `s` on the second; or of a curve and a
     surface, as `[{t, u, v, point}]`.
@@ -2514,8 +2514,19 @@ def intersect(*args: Any, a: Any = None, b: Any = None) -> Any:
     :param b: Another surface or face, or a curve.
 
     In scripts: ``intersect(a: surface | face, b: surface | face | curve) -> list of values``
+
+    Every place that a curve has in common with the faces of a solid, within the document's tolerance, as
+    `[{t, face, u, v, point}]` in the order of `t`; `face` is its number among `s.faces`, on an edge the first.
+
+    A curve that runs along the surface of a face, on the face or beside it, is an error.
+
+    Between two of these places the curve is inside or outside, which `contains` of a point between them tells.
+    :param s: The solid.
+    :param c: The curve.
+
+    In scripts: ``intersect(s: solid, c: curve) -> list of records``
     """
-    return _called("intersect", args, {"a": a, "b": b})
+    return _called("intersect", args, {"a": a, "b": b, "s": s, "c": c})
 
 
 def intersection(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
@@ -4092,7 +4103,7 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
 
     Where the function has different signs at both ends, the root between them is found in some ten steps, as
     exactly as numbers tell it. Where it has the same sign, the range is divided until it has not, and at last the
-    place where it is nearest to zero is looked at, since it may only touch zero there. A jump over zero, such as
+    place where it is nearest to zero is looked at, since it may only touch zero there; of such a place half of the digits are known. A jump over zero, such as
     a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a
     list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the

@@ -29,20 +29,11 @@ impl Type {
             (Self::List(Self::OneOf(types), _), single) => {
                 return types.iter().find_map(|of| of.remedy(single));
             }
-            (Self::Region, Value::Curve(_)) => "`region(c)` is what lies within a closed curve",
-            (Self::Mesh, Value::Surface(_)) => {
-                "`tessellate(s)` makes a mesh of surfaces that close"
-            }
-            (Self::Mesh, Value::Region(_) | Value::Face(_) | Value::Solid(_)) => {
-                "`tessellate(s)` makes a mesh of it"
-            }
-            (Self::Face, Value::Surface(_)) => "`face(s)` makes a face of a surface",
-            (Self::Solid, Value::Surface(_)) => "`solid(s)` is what surfaces that close enclose",
-            (Self::Solid, Value::List(items))
-                if matches!(items.first(), Some(Value::Surface(_))) =>
-            {
-                "`solid(s)` is what surfaces that close enclose"
-            }
+            (Self::Region | Self::Face | Self::Solid, _)
+            | (
+                Self::Mesh,
+                Value::Surface(_) | Value::Region(_) | Value::Face(_) | Value::Solid(_),
+            ) => return self.maker(value).map(str::to_owned),
             (Self::Point, Value::Number(_)) => {
                 "a point or vector is written `(x, y)` or `(x, y, z)`"
             }
@@ -78,6 +69,24 @@ impl Type {
             _ => return None,
         };
         Some(hint.to_owned())
+    }
+
+    /// What makes one of this kind, which has parts, of `value`.
+    fn maker(self, value: &Value) -> Option<&'static str> {
+        let is_surface = |value: &Value| matches!(value, Value::Surface(_));
+        Some(match (self, value) {
+            (Self::Region, Value::Curve(_)) => "`region(c)` is what lies within a closed curve",
+            (Self::Mesh, Value::Surface(_)) => {
+                "`tessellate(s)` makes a mesh of surfaces that close"
+            }
+            (Self::Mesh, _) => "`tessellate(s)` makes a mesh of it",
+            (Self::Face, Value::Surface(_)) => "`face(s)` makes a face of a surface",
+            (Self::Solid, Value::Surface(_)) => "`solid(s)` is what surfaces that close enclose",
+            (Self::Solid, Value::List(items)) if items.first().is_some_and(is_surface) => {
+                "`solid(s)` is what surfaces that close enclose"
+            }
+            _ => return None,
+        })
     }
 }
 

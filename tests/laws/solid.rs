@@ -6,8 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    Axis, CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, Region,
-    RegionSide, Solid, SolidError, TessellationOptions, Tolerance,
+    Axis, CircleForm, Curve, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface,
+    Region, RegionSide, Solid, SolidError, TessellationOptions, Tolerance,
     glam::{DAffine3, DMat3, DVec3},
 };
 
@@ -278,4 +278,58 @@ fn walls_may_be_thin() {
         let tire = Solid::new(&[ring(1.0), ring(rest)], TOLERANCE).expect("a tire");
         check(&tire, 6.0 * PI * PI * (1.0 - rest * rest), 0);
     }
+}
+
+/// A ball, a void in it and a block beside it, gone through by a line in every direction.
+#[test]
+fn a_line_goes_through_a_solid_where_the_equations_of_its_faces_say() {
+    let center = DVec3::new(0.3, -0.2, 0.1);
+    let hollow = Solid::new(&[ball(center, 2.0), ball(center, 1.5)], TOLERANCE);
+    let hollow = hollow.expect("a hollow ball");
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
+    let block = Solid::extruded(&region(&polygon(&corners), &[]), 3.0 * DVec3::Z, TOLERANCE)
+        .expect("a block");
+    for n in 0..60 {
+        let turn = f64::from(n);
+        let way = DVec3::new(libm::cos(turn), libm::sin(1.7 * turn), libm::sin(0.6 * turn + 0.3));
+        let beside = DVec3::new(libm::sin(turn), libm::cos(0.9 * turn), 0.4) * 0.8;
+        let line = |through: DVec3| {
+            NurbsCurve::line(through - 8.0 * way, through + 8.0 * way).expect("a line").into()
+        };
+        // |from + t·16·way − center| is the radius.
+        let line_of_ball: Curve = line(center + beside);
+        let (along, off) = (way.length(), beside - way * (beside.dot(way) / way.length_squared()));
+        let mut expected = Vec::new();
+        for radius in [2.0, 1.5] {
+            let half = (radius * radius - off.length_squared()).sqrt() / (16.0 * along);
+            let middle = 0.5 - beside.dot(way) / (16.0 * way.length_squared());
+            if half.is_finite() {
+                expected.extend([middle - half, middle + half]);
+            }
+        }
+        expected.sort_by(f64::total_cmp);
+        let found = hollow.piercings(&line_of_ball, TOLERANCE).expect("places");
+        assert_eq!(found.len(), expected.len(), "{n}: {found:?}");
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found.place.t - expected).abs() < 1e-9, "{n}: {found:?} for {expected}");
+        }
+        // Through a convex block: none or two places, on its sides; through its middle two.
+        let middle = DVec3::new(0.5, 1.0, 1.5);
+        let found = block.piercings(&line(middle), TOLERANCE).expect("places");
+        assert_eq!(found.len(), 2, "{n}: {found:?}");
+        for place in &found {
+            let side = block.side_of(place.place.point, TOLERANCE).expect("a side");
+            assert_eq!(side, RegionSide::Border, "{n}");
+        }
+        let sum = found[0].place.point + found[1].place.point;
+        assert!(sum.distance(2.0 * middle) < 1e-9, "{n}: {found:?}");
+    }
+    // Through two corners, which three faces have in common each, and along a diagonal of a face.
+    let diagonal: Curve =
+        NurbsCurve::line(DVec3::new(-1.0, -2.0, -3.0), DVec3::new(2.0, 4.0, 6.0)).unwrap().into();
+    let found = block.piercings(&diagonal, TOLERANCE).expect("places");
+    assert_eq!(found.len(), 2, "{found:?}");
+    let in_face: Curve =
+        NurbsCurve::line(DVec3::new(-1.0, -1.0, 3.0), DVec3::new(2.0, 2.0, 3.0)).unwrap().into();
+    assert!(block.piercings(&in_face, TOLERANCE).is_err());
 }

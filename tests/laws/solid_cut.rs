@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use virote_kernel::{
-    Frame, GeomError, NurbsSurface, Solid, SolidError,
+    Axis, Frame, GeomError, NurbsSurface, Solid, SolidError,
     glam::{DAffine3, DVec3},
 };
 
@@ -245,6 +245,32 @@ fn placing_makes_no_difference_to_cuts() {
             for side in [below, above] {
                 assert!((side - 0.5 * whole).abs() < off, "{i}, {number}: {side} of {whole}");
             }
+        }
+    }
+}
+
+/// Where the rim crosses seams, at which a section curve may have its middle, nothing touches.
+#[test]
+fn planes_beside_the_axis_of_a_torus_and_of_a_ring_leave_both_sides() {
+    let torus = whole(NurbsSurface::torus(Frame::XY, 3.0, 1.0).expect("a torus"));
+    let torus = Solid::new(&[torus], TOLERANCE).expect("a solid");
+    let corners = [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 0.0, 3.0], [1.0, 0.0, 3.0]];
+    let profile = region(&polygon(&corners), &[]);
+    let axis = Axis::new(DVec3::ZERO, DVec3::Z).expect("an axis");
+    let ring = Solid::revolved(&profile, axis, TAU, TOLERANCE).expect("a ring");
+    for (solid, whole, places) in [
+        (torus, 6.0 * PI * PI, [0.4, 1.9, 2.2, 2.5, 3.1, 3.7]),
+        (ring, 9.0 * PI, [0.2, 0.7, 0.9, 1.3, 1.5, 1.8]),
+    ] {
+        for at in places {
+            let part = |at: f64, is_above: bool| {
+                let plane = Frame::from_normal(DVec3::X * at, DVec3::X, None).expect("a plane");
+                let part = solid.cut(plane, is_above, TOLERANCE).expect("a part");
+                part.expect("something").volume_mass().expect("a volume").amount
+            };
+            let (above, below) = (part(at, true), part(at, false));
+            assert!((above + below - whole).abs() < 1e-6 * whole, "{at}: {above} and {below}");
+            assert!((part(-at, false) - above).abs() < 1e-6 * whole, "{at}: {above}");
         }
     }
 }

@@ -3,11 +3,14 @@
 use super::sample::Sample;
 use crate::{
     ceiling::{LEAST_LOOKS, LEAST_STEPS, MOST_LEAST_LOOKS},
-    tolerance::LEAST_PLACE_RELATIVE,
+    tolerance::{LAST_BIT, LEAST_PLACE_RELATIVE},
 };
 
 /// Samples that a valley needs around it to be seen: as many for each turn of the function, or there are more.
 const SAMPLES_OF_A_TURN: usize = 8;
+
+/// Last bits of a value that its function may be wrong by.
+const ROUNDINGS: f64 = 16.0;
 
 /// How far samples stand from equal distances, as a share of these: waves of the same length would hide.
 const UNEVENNESS: f64 = 0.3;
@@ -61,7 +64,7 @@ pub fn find_least<E>(
     let others = (1..last).filter(|&k| k != lowest && is_valley(&samples[k - 1..=k + 1]));
     for k in [lowest].into_iter().chain(others) {
         let [before, at, behind] = [k.saturating_sub(1), k, (k + 1).min(last)].map(|k| samples[k]);
-        if k != lowest && best.value <= depth(before, at, behind) {
+        if k != lowest && best.value - rounding(best.value) <= depth(before, at, behind) {
             continue;
         }
         let found =
@@ -73,10 +76,19 @@ pub fn find_least<E>(
     Ok(best)
 }
 
-/// How often samples go from growing to falling, or back.
+/// How often samples go from growing to falling, or back, by more than rounding.
 fn n_turns(samples: &[Sample]) -> usize {
-    let steps: Vec<f64> = samples.windows(2).map(|pair| pair[1].value - pair[0].value).collect();
+    let step = |pair: &[Sample]| {
+        let step = pair[1].value - pair[0].value;
+        Some(step).filter(|step| rounding(pair[0].value) < step.abs())
+    };
+    let steps: Vec<f64> = samples.windows(2).filter_map(step).collect();
     steps.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count()
+}
+
+/// What a value may be wrong by, at most.
+fn rounding(value: f64) -> f64 {
+    ROUNDINGS * LAST_BIT * value.abs()
 }
 
 /// Whether the middle one of three samples is lowest.

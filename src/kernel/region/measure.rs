@@ -113,7 +113,7 @@ impl Region {
     }
 
     /// Some places of its borders and inside of it.
-    pub(crate) fn some_places(&self) -> Vec<DVec3> {
+    pub(crate) fn some_places(&self, tolerance: Tolerance) -> Vec<DVec3> {
         let arcs = || self.loops.iter().flat_map(|border| &border.arcs);
         let mut places: Vec<DVec3> = Vec::new();
         places.extend(arcs().flat_map(|arc| [arc.start(), arc.point_at(arc.domain().at(0.5))]));
@@ -123,7 +123,7 @@ impl Region {
             let crossings = |arc: &NurbsCurve| {
                 let parameters = match arc.bounds() {
                     Bounds { min, max } if min.y <= y && y <= max.y => {
-                        arc.plane_parameters(line, Tolerance::DEFAULT)
+                        arc.plane_parameters(line, tolerance)
                     }
                     _ => Vec::new(),
                 };
@@ -131,14 +131,17 @@ impl Region {
             };
             let mut crossed: Vec<f64> = arcs().flat_map(crossings).collect();
             crossed.sort_by(f64::total_cmp);
-            for pair in crossed.windows(2) {
-                let inside = LOOKS_ALONG.map(|at| pair[0] + (pair[1] - pair[0]) * at);
-                let inside = inside.map(|x| DVec3::new(x, y, 0.0));
-                let is_inside = |place: &DVec3| {
-                    winding_about(self.arcs(), *place).is_some_and(|winding| winding != 0)
-                };
-                places.extend(inside.into_iter().filter(is_inside));
-            }
+            // One stretch of a line tells enough.
+            let is_inside = |place: &DVec3| {
+                winding_about(self.arcs(), *place).is_some_and(|winding| winding != 0)
+            };
+            let inside = crossed.windows(2).map(|pair| {
+                let along = LOOKS_ALONG.map(|at| pair[0] + (pair[1] - pair[0]) * at);
+                along.map(|x| DVec3::new(x, y, 0.0)).into_iter().filter(is_inside).collect()
+            });
+            let inside: Option<Vec<DVec3>> =
+                { inside }.find(|stretch: &Vec<DVec3>| !stretch.is_empty());
+            places.extend(inside.into_iter().flatten());
         }
         places.into_iter().map(|place| self.frame.point(place)).collect()
     }

@@ -7,7 +7,7 @@ use super::{
     caps::{PlaneCaps, plane_caps},
     middle,
 };
-use crate::{Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral};
+use crate::{Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral};
 
 /// The faces of a solid beside a plane.
 struct FacesBeside {
@@ -23,8 +23,8 @@ impl Solid {
     /// The part above a plane, where its normal points, or below it; none where there is nothing.
     ///
     /// Its faces are the parts of the solid's faces there, and plane faces within the rims that the plane leaves.
-    /// Each side is judged by itself: its volume must be what the flux through the solid's faces there tells, to
-    /// which the plane adds nothing.
+    /// Each side is judged by itself: that these close it shows in its volume, which must be what the flux through
+    /// the solid's faces there tells, to which the plane adds nothing.
     ///
     /// ```
     /// use std::{f64::consts::PI, sync::Arc};
@@ -59,7 +59,7 @@ impl Solid {
         let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
         let within = tolerance.with_distance(distance);
         let caps = plane_caps(&faces, tolerance)?;
-        if let Some(point) = touching(&faces, &caps, contacts, plane, within) {
+        if let Some(point) = touching(&faces, &caps, contacts, plane, within)? {
             return Err(SolidError::TouchesPlane { point }.into());
         }
         let side = Self::closed_by(&faces, caps, tolerance)?;
@@ -118,7 +118,12 @@ impl Solid {
         };
         for face in &self.faces {
             GeomError::go_on(1)?;
-            let is_within = face.height_above(plane).abs() <= distance;
+            let [lowest, highest] = heights(face.surface().bounds(), plane);
+            if distance < lowest || highest < -distance {
+                found.sides[usize::from(0.0 < lowest)].push(face.clone());
+                continue;
+            }
+            let is_within = face.height_above(plane, tolerance).abs() <= distance;
             found.has_face_within |= is_within;
             if !is_within {
                 let divided = face.divided_by_plane(plane, tolerance)?;
@@ -141,32 +146,47 @@ fn volume(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
     flux.amount_of_volume()
 }
 
+/// How far below and above a plane a box reaches.
+fn heights(Bounds { min, max }: Bounds, plane: Frame) -> [f64; 2] {
+    let (center, half) = (0.5 * (min + max), 0.5 * (max - min));
+    let height = (center - plane.origin()).dot(plane.z());
+    let reach = half.dot(plane.z().abs());
+    [height - reach, height + reach]
+}
+
 /// A place in which the faces on one side of a plane come to the regions that close them, other than in their rims.
+///
+/// # Errors
+/// Those of a search that was ended.
 fn touching(
     faces: &[Face],
     caps: &PlaneCaps,
     contacts: Vec<DVec3>,
     plane: Frame,
     tolerance: Tolerance,
-) -> Option<DVec3> {
+) -> Result<Option<DVec3>, GeomError> {
     let side_of_caps = |point: DVec3| {
         let sides = caps.regions.iter().map(|region| region.side_of(point, tolerance.distance));
         sides.into_iter().find(|&side| side != RegionSide::Outside)
     };
-    let side_of_faces = |point: DVec3| {
-        let sides = faces.iter().filter_map(|face| {
+    let boxes: Vec<Bounds> = faces.iter().map(|face| face.surface().bounds()).collect();
+    for point in contacts {
+        let Some(side) = side_of_caps(point) else { continue };
+        for (face, bounds) in faces.iter().zip(&boxes) {
+            if tolerance.distance < bounds.distance(point) {
+                continue;
+            }
             let foot = face.surface().closest(point);
-            let side = || face.side_of_parameters(foot.parameters, tolerance.distance);
-            (foot.distance <= tolerance.distance).then(side)
-        });
-        sides.into_iter().find(|&side| side != RegionSide::Outside)
-    };
-    let touches = |&point: &DVec3| match side_of_caps(point) {
-        None | Some(RegionSide::Outside) => false,
-        Some(RegionSide::Inside) => side_of_faces(point).is_some(),
-        Some(RegionSide::Border) => side_of_faces(point) == Some(RegionSide::Inside),
-    };
+            if tolerance.distance < foot.distance || !face.has(foot.parameters, tolerance) {
+                continue;
+            }
+            // In a rim of a region the border of a face ends in it, as it should.
+            if side == RegionSide::Inside || !face.is_on_border(foot.parameters, tolerance)? {
+                return Ok(Some(point));
+            }
+        }
+    }
     let is_within = |point: &DVec3| side_of_caps(*point) == Some(RegionSide::Inside);
-    let of_edges = caps.edges.iter().flat_map(|edge| edge.places_in(plane, tolerance));
-    contacts.into_iter().find(touches).or_else(|| of_edges.into_iter().find(is_within))
+    let mut of_edges = caps.edges.iter().flat_map(|edge| edge.places_in(plane, tolerance));
+    Ok(of_edges.find(is_within))
 }

@@ -68,7 +68,7 @@ pub enum SolidError {
     )]
     UncertainCut { missing: f64, allowed: f64 },
     /// A side of a plane that touches itself in the plane.
-    #[error("this side of the plane would touch itself at {}, where the plane touches a hole in it", place(*point))]
+    #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },
     /// An edge that is not gone along by two faces from end to end.
     #[error("the edge at {} has no other one along all of it, so that no faces share it", place(*point))]

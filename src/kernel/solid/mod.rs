@@ -10,6 +10,7 @@ mod cut;
 mod error;
 mod mesh;
 mod nesting;
+mod piercing;
 mod place;
 mod sweep;
 mod topology;
@@ -24,6 +25,7 @@ use crate::{
 
 pub use error::SolidError;
 pub use nesting::SolidBody;
+pub use piercing::CurveSolidIntersection;
 pub use place::SolidClosestPoint;
 pub use topology::{SolidEdge, SolidTopology};
 

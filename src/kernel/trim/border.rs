@@ -189,6 +189,30 @@ impl Face {
         Ok(whole)
     }
 
+    /// Whether a place of the surface is on the border, of which seams that the face goes over are none.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    pub(crate) fn is_on_border(
+        &self,
+        parameters: [f64; 2],
+        tolerance: Tolerance,
+    ) -> Result<bool, GeomError> {
+        let distance = self.distance(tolerance);
+        let place = self.plane.place(parameters);
+        // What was found of a curve within the tolerance is away from it by that, and so is the border.
+        let reach = 2.0 * distance;
+        let point = self.plane.point(place);
+        let is_near = |arc: &BorderArc| {
+            let is_beside = arc.in_plane.bounds().distance(place) <= reach
+                && arc.in_plane.closest(place, distance).distance <= reach;
+            // At a pole and at the other side of a seam arcs end, whose parameters are far away.
+            let ends = [arc.curve.start(), arc.curve.end()];
+            is_beside || ends.iter().any(|end| end.distance(point) <= reach)
+        };
+        Ok(self.border_arcs(distance)?.iter().any(is_near))
+    }
+
     /// The point of the border that is nearest to a point; none without one.
     pub(super) fn closest_on_border(
         &self,

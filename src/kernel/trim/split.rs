@@ -11,8 +11,8 @@ use super::{
     pull::{Height, MOST_BESIDE, arcs_on_surface},
 };
 use crate::{
-    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, Region,
-    RegionSide, Surface, SurfaceClosestPoint, Tolerance,
+    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
+    Surface, SurfaceClosestPoint, Tolerance,
 };
 
 /// What divides a face.
@@ -156,15 +156,15 @@ impl Face {
             Some(division) => self.with_parts(&division),
         };
         let with_height = |part: Self| {
-            let height = part.height_above(plane);
+            let height = part.height_above(plane, tolerance);
             (part, height)
         };
         Ok(PartsBesidePlane { parts: parts.into_iter().map(with_height).collect(), contacts })
     }
 
     /// The farthest height over a plane of some places of a face that is on one side of it.
-    pub(crate) fn height_above(&self, plane: Frame) -> f64 {
-        let places = self.parts.iter().flat_map(Region::some_places);
+    pub(crate) fn height_above(&self, plane: Frame, tolerance: Tolerance) -> f64 {
+        let places = self.parts.iter().flat_map(|part| part.some_places(tolerance));
         let height = |place: DVec3| (self.plane.point(place) - plane.origin()).dot(plane.z());
         let farther = |a: f64, b: f64| if a.abs() < b.abs() { b } else { a };
         places.map(height).fold(0.0, farther)

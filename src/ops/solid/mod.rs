@@ -9,6 +9,7 @@ mod edges;
 mod extrude;
 mod genus;
 mod inertia;
+mod intersect;
 mod of_faces;
 mod revolve;
 mod section;
@@ -37,6 +38,7 @@ pub(super) static OPS: &[&Op] = &[
     &closest::OP,
     &edges::OP,
     &genus::OP,
+    &intersect::OP,
 ];
 
 /// The solid that is asked about.
