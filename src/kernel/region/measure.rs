@@ -135,12 +135,11 @@ impl Region {
             let is_inside = |place: &DVec3| {
                 winding_about(self.arcs(), *place).is_some_and(|winding| winding != 0)
             };
-            let inside = crossed.windows(2).map(|pair| {
+            let mut stretches = crossed.windows(2).map(|pair| -> Vec<DVec3> {
                 let along = LOOKS_ALONG.map(|at| pair[0] + (pair[1] - pair[0]) * at);
                 along.map(|x| DVec3::new(x, y, 0.0)).into_iter().filter(is_inside).collect()
             });
-            let inside: Option<Vec<DVec3>> =
-                { inside }.find(|stretch: &Vec<DVec3>| !stretch.is_empty());
+            let inside = stretches.find(|stretch| !stretch.is_empty());
             places.extend(inside.into_iter().flatten());
         }
         places.into_iter().map(|place| self.frame.point(place)).collect()
