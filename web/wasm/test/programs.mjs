@@ -22,7 +22,6 @@ const SLOW = new Set([
   "areas-of-uneven-weights.geo",
   "gradients-agree-with-differences.geo",
   "how-surfaces-bend.geo",
-  "solids-are-cut-by-planes.geo",
   "steep-waves-take-few-control-points.geo",
   "surfaces-of-functions-as-nurbs.geo",
   "surfaces-that-run-close.geo",
