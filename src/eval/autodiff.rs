@@ -3,12 +3,14 @@
 //! The point and every mistake are those of the plain parameters; the derivatives come on top. What
 //! operators do to derivatives stands in the table of operators.
 
+use std::sync::Arc;
+
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::Interval,
+    kernel::{Interval, Surface},
     value::{
         At, CARRIES_DERIVATIVES, Call, Ctx, FromValue, IntoValue, Op, Real, RealCurve, RealSurface,
-        Value, through_affine, varies,
+        Settling, Value, looked_at, through_affine, through_shape, varies, with_form_of,
     },
 };
 
@@ -56,16 +58,64 @@ pub(super) fn run(op: &'static Op, ctx: &mut Ctx<'_>, call: Call) -> Result<Valu
     let is_varying = op.is_affine
         && (call.positional.iter().any(|arg| varies(&arg.value))
             || call.named.iter().any(|(_, arg)| varies(&arg.value)));
-    if !is_varying {
+    if !is_varying || op.derives_itself.is_some_and(|derives| derives(&call)) {
         return (op.run)(ctx, call);
     }
-    let given = call.positional.iter().chain(call.named.iter().map(|(_, arg)| arg));
-    let args: Vec<Value> = given.map(|arg| arg.value.clone()).collect();
+    if let Some(settling) = op.settling
+        && (settling.applies)(&call)
+        && let Some(found) = settled((op, settling), ctx, &call)?
+    {
+        return Ok(found);
+    }
+    // A rule may look at knots; what is listed does not.
+    let is_listed = |settling: &&Settling| {
+        call.named.iter().any(|(name, given)| {
+            &*name.value == settling.parameter && matches!(given.value, Value::List(_))
+        })
+    };
+    let is_of_shape = op.is_of_shape && op.settling.as_ref().is_none_or(is_listed);
+    beside(op, is_of_shape, ctx, call)
+}
+
+/// What an operation answers that finds something by a rule: with that held, and how it moves on top; none where that
+/// is not known.
+fn settled(
+    (op, settling): (&'static Op, &Settling),
+    ctx: &mut Ctx<'_>,
+    call: &Call,
+) -> Result<Option<Value>> {
+    let mut plain = call.clone();
+    arguments(&mut plain).for_each(|arg| arg.value = looked_at(&arg.value));
+    let answer = (op.run)(ctx, plain)?;
+    let Value::Surface(Surface::Nurbs(surface)) = &answer else { return Ok(None) };
+    let report = surface.report().map(IntoValue::into_value);
+    let Some(Value::Record(report)) = report else { return Ok(None) };
+    let Some(found) = report.get(settling.parameter) else { return Ok(None) };
+    let n_warnings = ctx.caller.n_warnings();
+    let mut held = call.clone();
+    held.named.retain(|(name, _)| &*name.value != settling.parameter);
+    held.named.push((
+        Spanned::new(Arc::from(settling.parameter), call.span),
+        Spanned::new(found.clone(), call.span),
+    ));
+    let fixed = beside(op, op.is_of_shape, ctx, held);
+    ctx.caller.keep_warnings(n_warnings);
+    let Value::JetSurface(fixed) = fixed? else { return Ok(None) };
+    let moved = (settling.moving)(call, &fixed, found).at(call.span)?;
+    Ok(moved.and_then(|moved| with_form_of(&Value::JetSurface(moved.into()), &answer)))
+}
+
+fn arguments(call: &mut Call) -> impl Iterator<Item = &mut Spanned<Value>> {
+    call.positional.iter_mut().chain(call.named.iter_mut().map(|(_, arg)| arg))
+}
+
+/// What an operation answers at its arguments and beside them, with derivatives.
+fn beside(op: &'static Op, is_of_shape: bool, ctx: &mut Ctx<'_>, mut call: Call) -> Result<Value> {
+    let args: Vec<Value> = arguments(&mut call).map(|arg| arg.value.clone()).collect();
     let mut n_warnings = None;
-    through(&format!("`{}`", op.name), call.span, &args, |args| {
+    through((&format!("`{}`", op.name), is_of_shape), call.span, &args, |args| {
         let mut call = call.clone();
-        let places = call.positional.iter_mut().chain(call.named.iter_mut().map(|(_, arg)| arg));
-        places.zip(args).for_each(|(place, value)| place.value = value.clone());
+        arguments(&mut call).zip(args).for_each(|(place, value)| place.value = value.clone());
         let found = (op.run)(ctx, call);
         // Only what it says of the arguments themselves is told.
         let n = *n_warnings.get_or_insert_with(|| ctx.caller.n_warnings());
@@ -74,14 +124,19 @@ pub(super) fn run(op: &'static Op, ctx: &mut Ctx<'_>, call: Call) -> Result<Valu
     })
 }
 
-/// What something answers to values that carry derivatives, with them.
+/// What something answers to values that carry derivatives, with them; whether it depends on the shape of
+/// curves alone is told with its name.
 pub(super) fn through(
-    what: &str,
+    (what, is_of_shape): (&str, bool),
     span: Span,
     args: &[Value],
     mut run: impl FnMut(&[Value]) -> Result<Value>,
 ) -> Result<Value> {
-    through_affine(args, &mut run)?.or_else(|reason| {
+    let found = match is_of_shape {
+        true => through_shape(args, &mut run),
+        false => through_affine(args, &mut run),
+    };
+    found?.or_else(|reason| {
         let message = format!("{what}: {}", reason.message());
         Diagnostic::error(Code::NoDerivative, span, message).hint(reason.hint()).fail()
     })

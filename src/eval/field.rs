@@ -1,10 +1,20 @@
 //! Fields of values, and what is told of one that is not there.
 
-use super::{autodiff::through, machine::Machine};
+use super::{
+    autodiff::{no_derivative, through},
+    machine::Machine,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
+    kernel::Tolerance,
     value::{At, Value, field, field_names},
 };
+
+/// Fields that depend on the shape of a curve or surface alone, not on its knots and control points.
+const OF_SHAPE: [&str; 12] = [
+    "domain", "domain_u", "domain_v", "degree", "degree_u", "degree_v", "start", "end", "closed",
+    "closed_u", "closed_v", "rational",
+];
 
 /// Fields that a message lists.
 const MOST_FIELDS_TOLD: usize = 40;
@@ -22,14 +32,8 @@ impl Machine<'_> {
         place: Span,
     ) -> Result<Value> {
         let tolerance = self.env.tolerance;
-        if let Value::JetCurve(_) | Value::JetSurface(_) = value
-            && field_names(value).contains(&name)
-        {
-            let read = |args: &[Value]| match args {
-                [of, ..] => Ok(field(of, name, tolerance).at(place)?.unwrap_or(Value::None)),
-                [] => Ok(Value::None),
-            };
-            return through(&format!("`.{name}`"), place, std::slice::from_ref(value), read);
+        if value.is_jet() && field_names(value).contains(&name) {
+            return varying_field(value, name, place, tolerance);
         }
         if let Some(found) = field(value, name, tolerance).at(place)? {
             return Ok(found);
@@ -70,6 +74,22 @@ impl Machine<'_> {
         }
         diagnostic.fail()
     }
+}
+
+/// The field of a value that carries derivatives, with its own.
+fn varying_field(value: &Value, name: &str, place: Span, tolerance: Tolerance) -> Result<Value> {
+    let told = format!("`.{name}`");
+    match value {
+        Value::JetRegion(_) | Value::JetSolid(_) => return no_derivative(&told, place),
+        Value::JetCurve(_) | Value::JetSurface(_) => {}
+        _ => return Ok(field(value, name, tolerance).at(place)?.unwrap_or(Value::None)),
+    }
+    let read = |args: &[Value]| match args {
+        [of, ..] => Ok(field(of, name, tolerance).at(place)?.unwrap_or(Value::None)),
+        [] => Ok(Value::None),
+    };
+    let is_of_shape = OF_SHAPE.contains(&name);
+    through((&told, is_of_shape), place, std::slice::from_ref(value), read)
 }
 
 /// How a script reaches a field: `.x`, or `["half breadth"]` where the name is no word.

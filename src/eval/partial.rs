@@ -57,7 +57,7 @@ impl Machine<'_> {
             if !matches!(callee.kind(), "curve" | "surface") {
                 return Ok(None);
             }
-            return through("this isocurve", call.callee.span, &args, |args| {
+            return through(("this isocurve", true), call.callee.span, &args, |args| {
                 let mut given = args.iter().skip(1).cloned();
                 let open = is_open.iter().map(|is_open| if *is_open { None } else { given.next() });
                 let open: Vec<Option<Value>> = open.collect();

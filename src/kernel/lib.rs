@@ -174,7 +174,8 @@ pub use error::{
 pub use failure::FunctionFailure;
 pub use fit::{
     Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,
-    approximate_within, check_parameters, columns_within, lagrange, surface_within,
+    approximate_within, check_parameters, columns_within, interpolate_varied, lagrange,
+    surface_within,
 };
 pub use frame::{Frame, unit};
 pub use gordon::{
@@ -239,4 +240,7 @@ pub use trim::{
     AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart,
     SurfaceCurve, SurfaceCurveKind, SurfacePiece, pieces_facing_unlike, tessellate_together,
 };
-pub use varied::{PointSlopes, SurfaceIntegral, VariedCurve, VariedSurface, stay_closed};
+pub use varied::{
+    PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion, VariedSolid, VariedSurface,
+    stay_closed,
+};

@@ -8,7 +8,10 @@
 
 use super::{
     CARRIES_DERIVATIVES, Value,
-    variation::{NumberSlopes, Steps, Variables, are_alike, moved, numbers, sizes},
+    variation::{
+        NumberSlopes, Steps, Variables, are_alike, has_moving_knots, looked_at, moved, numbers,
+        sizes, with_form_of,
+    },
 };
 use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
 
@@ -23,6 +26,8 @@ pub enum NoDerivative {
     HigherOrder,
     /// Knots or the number of points change with the arguments.
     OtherForm,
+    /// Knots of the arguments move, and the answer depends on more than their shape.
+    MovingKnots,
     /// The answer bends.
     Uneven,
     /// There is no answer beside the place.
@@ -40,6 +45,9 @@ impl NoDerivative {
             Self::OtherForm => {
                 "its knots or its number of points change with what is differentiated, so that no derivative passes through"
             }
+            Self::MovingKnots => {
+                "it depends on knots that move with what is differentiated, so that no derivative passes through"
+            }
             Self::Uneven => {
                 "it does not grow evenly with what is differentiated, so that no derivative passes through"
             }
@@ -54,7 +62,7 @@ impl NoDerivative {
             Self::HigherOrder => {
                 "make the geometry outside of the function, of fixed numbers, and ask for its places inside"
             }
-            Self::OtherForm => {
+            Self::OtherForm | Self::MovingKnots => {
                 "where `parameters` or knots can be listed, they stay as they are: `interpolate(p, parameters = [0, 1, 2])`"
             }
             Self::Uneven | Self::NoAnswer => CARRIES_DERIVATIVES,
@@ -77,21 +85,53 @@ pub fn through_affine(
     args: &[Value],
     run: &mut dyn FnMut(&[Value]) -> Result<Value>,
 ) -> Result<std::result::Result<Value, NoDerivative>> {
-    let mut variables = Variables::None;
-    for arg in args {
-        match Variables::of(arg) {
-            Variables::None => {}
-            found => variables = found,
-        }
+    if args.iter().any(has_moving_knots) {
+        return Ok(Err(NoDerivative::MovingKnots));
     }
-    let held: Option<Vec<Value>> = args.iter().map(|arg| moved(arg, &[])).collect();
-    let Some(held) = held else { return Ok(Err(NoDerivative::NoAnswer)) };
+    let Some(held) = all_moved(args, &[]) else { return Ok(Err(NoDerivative::NoAnswer)) };
     let base = run(&held)?;
-    Ok(match variables {
+    Ok(differences(args, base, run))
+}
+
+/// [`through_affine`] of an operation whose answer depends on the shape of its arguments alone: their knots
+/// may move, since the same shapes on knots that do not move give the same answer.
+///
+/// # Errors
+/// Those of the operation at the plain arguments.
+pub fn through_shape(
+    args: &[Value],
+    run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+) -> Result<std::result::Result<Value, NoDerivative>> {
+    if !args.iter().any(has_moving_knots) {
+        return through_affine(args, run);
+    }
+    let given: Vec<Value> = args.iter().map(looked_at).collect();
+    let answer = run(&given)?;
+    let held = all_moved(args, &[]);
+    let Some(base) = held.and_then(|held| run(&held).ok()) else {
+        return Ok(Err(NoDerivative::NoAnswer));
+    };
+    Ok(differences(args, base, run)
+        .and_then(|found| with_form_of(&found, &answer).ok_or(NoDerivative::MovingKnots)))
+}
+
+/// All values with their variables moved by some steps.
+fn all_moved(args: &[Value], steps: Steps<'_>) -> Option<Vec<Value>> {
+    args.iter().map(|arg| moved(arg, steps)).collect()
+}
+
+/// An answer with its derivatives, from those beside it.
+fn differences(
+    args: &[Value],
+    base: Value,
+    run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+) -> std::result::Result<Value, NoDerivative> {
+    let variables = args.iter().map(Variables::of).find(|found| *found != Variables::None);
+    match variables.unwrap_or(Variables::None) {
         Variables::None => Ok(base),
         Variables::HigherOrder => Err(NoDerivative::HigherOrder),
         Variables::FirstOrder(n_variables) => Differences::new(args, base, run).slopes(n_variables),
-    })
+    }
 }
 
 /// The numbers of the answer beside the place.
@@ -123,8 +163,9 @@ impl<'a> Differences<'a> {
     /// By how much the numbers grow over some steps; none where there is no answer, and some error where
     /// it has another form.
     fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
-        let args: Option<Vec<Value>> = self.args.iter().map(|arg| moved(arg, steps)).collect();
-        let there = args.and_then(|args| (self.run)(&args).ok()).ok_or(NoDerivative::NoAnswer)?;
+        let there = all_moved(self.args, steps)
+            .and_then(|args| (self.run)(&args).ok())
+            .ok_or(NoDerivative::NoAnswer)?;
         if !are_alike(&self.base, &there) {
             return Err(NoDerivative::OtherForm);
         }

@@ -42,9 +42,12 @@ impl fmt::Display for ToldValue<'_> {
             Value::Number(number) => f.write_str(&number.text(unit)),
             Value::Text(text) => f.write_str(&quoted(text)),
             Value::Jet(number) => f.write_str(&number.looked_at().text(unit)),
-            Value::JetPoint(_) | Value::JetRange(_) | Value::JetCurve(_) | Value::JetSurface(_) => {
-                inner(&self.value.looked_at()).fmt(f)
-            }
+            Value::JetPoint(_)
+            | Value::JetRange(_)
+            | Value::JetCurve(_)
+            | Value::JetSurface(_)
+            | Value::JetRegion(_)
+            | Value::JetSolid(_) => inner(&self.value.looked_at()).fmt(f),
             Value::Point(point) => f.write_str(&point_text(*point)),
             Value::List(items) => {
                 f.write_str("[")?;

@@ -30,7 +30,9 @@ pub fn to_json(value: &Value) -> Json {
         | Value::JetPoint(_)
         | Value::JetRange(_)
         | Value::JetCurve(_)
-        | Value::JetSurface(_) => to_json(&value.looked_at()),
+        | Value::JetSurface(_)
+        | Value::JetRegion(_)
+        | Value::JetSolid(_) => to_json(&value.looked_at()),
         Value::Point(point) => json!({ "virote": "point", "xyz": point.to_array() }),
         Value::List(items) => Json::Array(items.iter().map(to_json).collect()),
         Value::Range(range) => json!({

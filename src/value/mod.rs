@@ -12,6 +12,7 @@ mod decode;
 mod display;
 mod element;
 mod error_map;
+mod example;
 mod field;
 mod files;
 mod format;
@@ -32,9 +33,11 @@ mod parameter_range;
 mod range;
 mod read_json;
 mod real;
+mod real_body;
 mod record;
 mod registry;
 mod remedy;
+mod settling;
 mod shape;
 mod switch;
 mod table_text;
@@ -50,16 +53,18 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::kernel::{
-    Curve, Face, Frame, Jet, Mesh, Region, Solid, Surface, Table, VariedCurve, VariedSurface,
+    Curve, Face, Frame, Jet, Mesh, Region, Solid, Surface, Table, VariedCurve, VariedRegion,
+    VariedSolid, VariedSurface,
 };
 
-pub use affine::{NoDerivative, through_affine, varies};
+pub use affine::{NoDerivative, through_affine, through_shape, varies};
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
 pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;
 pub use error_map::{At, blamed_on, code_of, hint_of, raised};
+pub use example::{Example, ExamplePicture, RefusalExample};
 pub use field::{field, field_names, table_row};
 pub use files::{Files, MemoryFiles, NoFiles};
 pub use format::{FormatRefusal, NumberFormat};
@@ -78,20 +83,22 @@ pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortes
 pub use on_numbers::OnNumbers;
 pub(crate) use op::op;
 pub use op::{
-    Bounded, Caller, Comparison, Ctx, EnclosedFunction, Example, ExamplePicture, Family, Op,
-    OpParameter, RefusalExample, Relation,
+    Bounded, Caller, Comparison, Ctx, EnclosedFunction, Family, Op, OpParameter, Relation,
 };
 pub use parameter_range::ParameterRange;
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};
 pub use real::Real;
+pub use real_body::{RealRegion, RealSolid, with_slopes};
 pub use record::Record;
 pub use registry::{Constant, Registry, choose};
+pub use settling::{MovingSurface, Settling};
 pub use shape::{Geometry, RealGeometry};
 pub use switch::Switch;
 pub use table_text::{MOST_ROWS, table_cells, table_text};
 pub use ty::Type;
 pub use unit::{in_document_unit, in_unit_of};
+pub use variation::{looked_at, with_form_of};
 pub use varied::{RealCurve, RealSurface};
 pub use vector::Vector;
 pub use witness::{Witness, WitnessOf};
@@ -133,10 +140,14 @@ pub enum Value {
     JetSurface(Arc<VariedSurface>),
     /// A plane region.
     Region(Arc<Region>),
+    /// A plane region in a function that is differentiated.
+    JetRegion(Arc<VariedRegion>),
     /// A part of a surface.
     Face(Arc<Face>),
     /// What faces enclose.
     Solid(Arc<Solid>),
+    /// A solid in a function that is differentiated.
+    JetSolid(Arc<VariedSolid>),
     /// A mesh.
     Mesh(Arc<Mesh>),
     /// A table.
@@ -172,10 +183,10 @@ impl Value {
             Self::Jet(number) => Self::Number(number.looked_at()),
             Self::JetPoint(jets) => Self::Point(DVec3::from(jets.each_ref().map(Jet::value))),
             Self::JetRange(range) => Self::Range(range.looked_at()),
-            Self::JetCurve(curve) => Self::Curve(Curve::Nurbs(Arc::clone(curve.curve()))),
-            Self::JetSurface(surface) => {
-                Self::Surface(Surface::Nurbs(Arc::clone(surface.surface())))
-            }
+            Self::JetCurve(curve) => Self::Curve(Curve::Nurbs(Arc::clone(curve.given()))),
+            Self::JetSurface(surface) => Self::Surface(Surface::Nurbs(Arc::clone(surface.given()))),
+            Self::JetRegion(region) => Self::Region(Arc::clone(region.region())),
+            Self::JetSolid(solid) => Self::Solid(Arc::clone(solid.solid())),
             other => other.clone(),
         }
     }
@@ -190,6 +201,8 @@ impl Value {
                 | Self::JetRange(_)
                 | Self::JetCurve(_)
                 | Self::JetSurface(_)
+                | Self::JetRegion(_)
+                | Self::JetSolid(_)
         )
     }
 
@@ -227,9 +240,9 @@ impl Value {
             Self::Function(_) => "function",
             Self::Curve(_) | Self::JetCurve(_) => "curve",
             Self::Surface(_) | Self::JetSurface(_) => "surface",
-            Self::Region(_) => "region",
+            Self::Region(_) | Self::JetRegion(_) => "region",
             Self::Face(_) => "face",
-            Self::Solid(_) => "solid",
+            Self::Solid(_) | Self::JetSolid(_) => "solid",
             Self::Mesh(_) => "mesh",
             Self::Table(_) => "table",
             Self::Frame(_) => "plane",

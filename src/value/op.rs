@@ -2,7 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{Call, Callback, Files, OnNumbers, Switch, Type, Value, Witness};
+use super::{
+    Call, Callback, Example, ExamplePicture, Files, OnNumbers, RefusalExample, Settling, Switch,
+    Type, Value, Witness,
+};
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
     kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
@@ -193,33 +196,6 @@ impl Family {
     ];
 }
 
-/// A tested sample of use: an expression and what `print` says of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Example {
-    /// The expression.
-    pub code: &'static str,
-    /// Its value as text.
-    pub prints: &'static str,
-}
-
-/// A tested sample of misuse: an expression and the error that it is.
-#[derive(Clone, Copy, Debug)]
-pub struct RefusalExample {
-    /// The expression.
-    pub code: &'static str,
-    /// The code of the error and its message, `E0607: the radius must be positive, found -2`.
-    pub says: &'static str,
-}
-
-/// What the picture of an operation in the reference shows.
-#[derive(Clone, Copy, Debug)]
-pub enum ExamplePicture {
-    /// The value of an expression.
-    Value(&'static str),
-    /// The definitions of a script.
-    Scene(&'static str),
-}
-
 /// One parameter.
 #[derive(Clone, Copy, Debug)]
 pub struct OpParameter {
@@ -281,6 +257,13 @@ pub struct Op {
     /// Whether its result is affine in what it is made of, or bends by the product of two of them, so that
     /// derivatives pass through it: see [`through_affine`](super::through_affine).
     pub is_affine: bool,
+    /// Whether all that it answers depends on the shape of curves and surfaces alone, not on the knots and control
+    /// points that these have, so that derivatives pass through it where knots move too.
+    pub is_of_shape: bool,
+    /// Of which calls it finds the derivatives itself, as one that takes a [`Real`] does.
+    pub derives_itself: Option<fn(&Call) -> bool>,
+    /// What it finds by a rule, and how that moves.
+    pub settling: Option<&'static Settling>,
     /// What its picture in the reference shows, where that is more than its first example.
     pub picture: Option<ExamplePicture>,
     /// Whether its argument names a script, whose parameters are the other arguments: the files of a script
@@ -329,7 +312,8 @@ macro_rules! op {
         $( refuses $misuse:literal => $says:literal; )*
         $( encloses $enclosed:path; )?
         $( on_numbers $numbers:expr; )?
-        $( derivative $affine:ident; )?
+        $( derivative $affine:ident $( unless $own:path )?; )?
+        $( settling $settling:path; )?
         $( picture $picture:literal; )?
         $( scene $scene:literal; )?
         $( names $named:literal; )?
@@ -356,6 +340,9 @@ macro_rules! op {
             enclosed: $crate::value::op!(@enclosed $($enclosed)?),
             on_numbers: $crate::value::op!(@value $($numbers)?),
             is_affine: $crate::value::op!(@is_affine $($affine)?),
+            is_of_shape: $crate::value::op!(@is_of_shape $($affine)?),
+            derives_itself: $crate::value::op!(@derives_itself $( $($own)? )?),
+            settling: $crate::value::op!(@settling $($settling)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
             names_script: $crate::value::op!(@names_script $($named)?),
             run: |ctx, call| {
@@ -382,6 +369,14 @@ macro_rules! op {
     (@enclosed $enclosed:path) => { Some($enclosed) };
     (@is_affine) => { false };
     (@is_affine affine) => { true };
+    (@is_affine shape) => { true };
+    (@is_of_shape) => { false };
+    (@is_of_shape affine) => { false };
+    (@is_of_shape shape) => { true };
+    (@derives_itself) => { None };
+    (@derives_itself $own:path) => { Some($own) };
+    (@settling) => { None };
+    (@settling $settling:path) => { Some(&$settling) };
     (@picture) => { None };
     (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
     (@names_script) => { false };

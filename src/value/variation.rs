@@ -61,6 +61,8 @@ impl Variables {
             }
             Value::JetCurve(curve) => Self::FirstOrder(curve.slopes().n_variables()),
             Value::JetSurface(surface) => Self::FirstOrder(surface.slopes().n_variables()),
+            Value::JetRegion(region) => Self::FirstOrder(region.n_variables()),
+            Value::JetSolid(solid) => Self::FirstOrder(solid.n_variables()),
             Value::List(items) if items.numbers().is_none() => Self::of_all(items.iter()),
             Value::Record(record) => Self::of_all(record.iter().map(|(_, value)| value)),
             _ => Self::None,
@@ -101,6 +103,70 @@ pub(super) fn moved(value: &Value, steps: Steps<'_>) -> Option<Value> {
             Value::Record(Arc::new(Record::new(fields?)))
         }
         other => other.clone(),
+    })
+}
+
+/// A value without derivatives, to its depths, on the knots that it has where these move.
+#[must_use]
+pub fn looked_at(value: &Value) -> Value {
+    match value {
+        Value::List(items) if items.numbers().is_none() => {
+            Value::List(items.iter().map(looked_at).collect())
+        }
+        Value::Record(record) => {
+            let fields = record.iter().map(|(label, value)| (Arc::from(label), looked_at(value)));
+            Value::Record(Arc::new(Record::new(fields.collect::<Vec<_>>())))
+        }
+        other => other.looked_at(),
+    }
+}
+
+/// Whether a value holds curves or surfaces whose knots move.
+pub(super) fn has_moving_knots(value: &Value) -> bool {
+    match value {
+        Value::JetCurve(curve) => curve.has_moving_knots(),
+        Value::JetSurface(surface) => surface.has_moving_knots(),
+        Value::List(items) if items.numbers().is_none() => items.iter().any(has_moving_knots),
+        Value::Record(record) => record.iter().any(|(_, value)| has_moving_knots(value)),
+        _ => false,
+    }
+}
+
+/// An answer with slopes, of the same shape on knots that do not move, as what it is on those that move; none
+/// unless both are of one shape.
+#[must_use]
+pub fn with_form_of(found: &Value, answer: &Value) -> Option<Value> {
+    Some(match (found, answer) {
+        (Value::JetCurve(found), Value::Curve(Curve::Nurbs(own))) => {
+            Value::JetCurve(Arc::new((**found).clone().of_moving_knots(Arc::clone(own))?))
+        }
+        (Value::JetSurface(found), Value::Surface(Surface::Nurbs(own))) => {
+            Value::JetSurface(Arc::new((**found).clone().of_moving_knots(Arc::clone(own))?))
+        }
+        (Value::Jet(found), Value::Number(own)) if found.dim == own.dim => {
+            Number { value: found.value.clone().with_value(own.value), dim: own.dim }.into_value()
+        }
+        (Value::JetPoint(found), Value::Point(own)) => {
+            Vector::Jets(Box::new((**found).clone())).with_value(*own).into_value()
+        }
+        (Value::List(found), Value::List(own)) if found.len() == own.len() => {
+            let pairs = found.values().zip(own.values());
+            Value::list(
+                pairs.map(|(found, own)| with_form_of(&found, &own)).collect::<Option<_>>()?,
+            )
+        }
+        (Value::Record(found), Value::Record(own)) if found.len() == own.len() => {
+            let field = |((label, found), (_, own)): ((&str, &Value), (&str, &Value))| {
+                Some((Arc::from(label), with_form_of(found, own)?))
+            };
+            let fields: Option<Vec<(Arc<str>, Value)>> =
+                found.iter().zip(own.iter()).map(field).collect();
+            Value::Record(Arc::new(Record::new(fields?)))
+        }
+        (Value::Curve(_), Value::Curve(_)) | (Value::Surface(_), Value::Surface(_)) => {
+            answer.clone()
+        }
+        (found, own) => (!found.is_jet() && found.kind() == own.kind()).then(|| own.clone())?,
     })
 }
 

@@ -3,7 +3,7 @@
 
 use std::{ops::Deref, sync::Arc};
 
-use super::{FromValue, Mismatch, Real, Type, Value, Vector};
+use super::{FromValue, IntoValue, Mismatch, Real, Type, Value, Vector};
 use crate::{
     diag::Span,
     kernel::{Curve, GeomError, Grid, Jet, Side, Surface, VariedCurve, VariedSurface, jet},
@@ -153,13 +153,13 @@ impl From<Surface> for RealSurface {
 
 impl From<Arc<VariedCurve>> for RealCurve {
     fn from(varied: Arc<VariedCurve>) -> Self {
-        Self { curve: Curve::Nurbs(Arc::clone(varied.curve())), varied: Some(varied) }
+        Self { curve: Curve::Nurbs(Arc::clone(varied.given())), varied: Some(varied) }
     }
 }
 
 impl From<Arc<VariedSurface>> for RealSurface {
     fn from(varied: Arc<VariedSurface>) -> Self {
-        Self { surface: Surface::Nurbs(Arc::clone(varied.surface())), varied: Some(varied) }
+        Self { surface: Surface::Nurbs(Arc::clone(varied.given())), varied: Some(varied) }
     }
 }
 
@@ -181,6 +181,28 @@ impl FromValue for RealSurface {
         match value {
             Value::JetSurface(varied) => Ok(Arc::clone(varied).into()),
             _ => Surface::from_value(value, span).map(Self::from),
+        }
+    }
+}
+
+impl IntoValue for RealCurve {
+    const RETURNS: Type = Type::Curve;
+
+    fn into_value(self) -> Value {
+        match self.varied {
+            Some(varied) => Value::JetCurve(varied),
+            None => Value::Curve(self.curve),
+        }
+    }
+}
+
+impl IntoValue for RealSurface {
+    const RETURNS: Type = Type::Surface;
+
+    fn into_value(self) -> Value {
+        match self.varied {
+            Some(varied) => Value::JetSurface(varied),
+            None => Value::Surface(self.surface),
         }
     }
 }

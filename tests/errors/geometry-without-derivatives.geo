@@ -1,8 +1,8 @@
 // The first operation through which no derivative passes is named, and why.
 print gradient(p => length(offset(bezier((0, 0), p, (4, 0)), 0.1)), (2, 1))
 print gradient(h => volume(tessellate(box((0, 0), (1, 1, h)))), 2)
-// Parameters by lengths depend on the points; listed ones do not.
-print gradient(h => length(interpolate((0, 0), (1, h), (3, 0), (4, 1))), 1)
+// How parameters by Foley's rule move is not known; listed ones do not.
+print gradient(h => length(interpolate((0, 0), (1, h), (3, 0), (4, 1), parameters = "foley")), 1)
 print gradient(h => length(interpolate((0, 0), (1, h), (3, 0), (4, 1), parameters = [0, 1, 2, 3])), 1)
 // A leg of no length grows to both sides.
 print gradient(h => length(polyline((0, 0), (1, 0), (1, h))), 0)

@@ -9,8 +9,9 @@ use proptest::{
     prelude::{ProptestConfig, Strategy, prop_assert, prop_assume, proptest},
 };
 use virote_kernel::{
-    CircleForm, Frame, Jet, NurbsCurve, NurbsSurface, PointSlopes, Side, Surface, VariedCurve,
-    VariedSurface,
+    Axis, CircleForm, Ends, Frame, Interpolator, Jet, NurbsCurve, NurbsSurface, Parametrization,
+    PointSlopes, Region, RegionWay, Side, Solid, Surface, Tolerance, VariedCurve, VariedRegion,
+    VariedSolid, VariedSurface, interpolate_varied,
 };
 
 use crate::some;
@@ -204,4 +205,180 @@ fn a_leg_without_length_has_no_slope() {
         PointSlopes::new(1, 3, vec![(0, vec![DVec4::ZERO, DVec4::ZERO, DVec4::Y])]).unwrap();
     let varied = VariedCurve::new(Arc::new(curve), slopes).unwrap();
     assert!(varied.length(varied.curve().domain()).is_err());
+}
+
+/// Points that go on along x, so that neighbours are apart, and how they move.
+fn moving_points() -> impl Strategy<Value = (Vec<DVec3>, Vec<DVec4>)> {
+    vec((some::point(), some::point()), 2..12).prop_map(|all| {
+        let place =
+            |(i, (p, _)): (usize, &(DVec3, DVec3))| DVec3::new(4.0 * i as f64, 0.0, 0.0) + 0.15 * p;
+        let speed = |(_, slope): &(DVec3, DVec3)| (0.2 * slope).extend(0.0);
+        (all.iter().enumerate().map(place).collect(), all.iter().map(speed).collect())
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(96))]
+
+    /// By parameters and knots that move along, at every condition of the ends.
+    #[test]
+    fn a_spline_through_points_grows_with_them(
+        (points, slopes) in moving_points(),
+        ends in proptest::sample::select(vec![Ends::Bessel, Ends::Natural, Ends::Quadratic, Ends::NotAKnot, Ends::Averaged]),
+        degree in 2_usize..6,
+        is_chord in proptest::bool::ANY,
+        at in 0.0..1.0,
+    ) {
+        let rule = if is_chord { Parametrization::Chord } else { Parametrization::Centripetal };
+        let degree = if ends == Ends::Averaged { degree } else { 3 };
+        let fit = |points: &[DVec3]| {
+            Interpolator::new(&rule.parameters(points).unwrap(), degree, ends).unwrap()
+        };
+        let spline = |h: f64| {
+            let moved: Vec<DVec3> = points.iter().zip(&slopes).map(|(p, s)| p + h * s.truncate()).collect();
+            fit(&moved).curve(&moved).unwrap()
+        };
+        let all = PointSlopes::new(2, points.len(), vec![(1, slopes.clone())]).unwrap();
+        let fit = fit(&points);
+        let varied = interpolate_varied((&fit, ends), rule, &points, &all).unwrap().unwrap();
+        prop_assert_eq!(&**varied.given(), &spline(0.0));
+        let jet = Jet::with_slopes(at, &[0.0, 0.0]).unwrap();
+        let found = varied.derivatives_beside(&jet, Side::Right, 1).unwrap();
+        let is_far = fit.knots().breaks().iter().all(|knot| 1e-3 < (knot - at).abs());
+        for (order, vector) in found.iter().enumerate().take(if is_far { 2 } else { 1 }) {
+            let expected = |axis: usize| central(|h| spline(h).derivatives_at(at, order)[order][axis]);
+            for (axis, part) in vector.iter().enumerate() {
+                prop_assert!(is_near(part.slopes()[1], expected(axis), 10.0), "{part:?} {}", expected(axis));
+            }
+        }
+        let length = varied.length(fit.knots().domain()).unwrap();
+        let expected = central(|h| spline(h).length(fit.knots().domain()));
+        prop_assert!(is_near(length.slopes()[1], expected, length.value()), "{length:?} {expected}");
+    }
+}
+
+/// Points around the place (6, 0), of a border without bulges, and how they move: in the plane, or with it.
+fn moving_ring() -> impl Strategy<Value = (Vec<DVec4>, Vec<DVec4>)> {
+    let all = vec((0.0..1.0, some::point(), -0.1..0.1), 5..9);
+    (all, proptest::bool::ANY).prop_map(|(all, is_plane_moving)| {
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / all.len() as f64;
+        let place = |(i, (out, ..)): (usize, &(f64, DVec3, f64))| {
+            let (sin, cos) = libm::sincos(angle(i));
+            (DVec3::new(cos, sin, 0.0) * (2.0 + out) + DVec3::X * 6.0).extend(1.0)
+        };
+        let mut points: Vec<DVec4> = all.iter().enumerate().map(place).collect();
+        let speed = |((_, speed, weight), point): (&(f64, DVec3, f64), &DVec4)| {
+            let rise = if is_plane_moving { 0.3 + 0.2 * point.x - 0.1 * point.y } else { 0.0 };
+            (0.1 * speed.with_z(0.0)).with_z(rise).extend(if is_plane_moving {
+                0.0
+            } else {
+                *weight
+            })
+        };
+        let mut slopes: Vec<DVec4> = all.iter().zip(&points).map(speed).collect();
+        points.push(points[0]);
+        slopes.push(slopes[0]);
+        (points, slopes)
+    })
+}
+
+/// A ring as a border of degree 2, and a disc that is a hole in it, both after a step.
+fn region_at((points, slopes): &(Vec<DVec4>, Vec<DVec4>), h: f64) -> ([VariedCurve; 2], Region) {
+    let moved: Vec<DVec4> = points.iter().zip(slopes).map(|(p, s)| p + h * s).collect();
+    let knots = virote_kernel::KnotVector::uniform_clamped(2, points.len(), 1.0).unwrap();
+    let border = NurbsCurve::new(knots, moved).unwrap();
+    let speed =
+        slopes.iter().map(|s| DVec3::Z * s.z).fold(DVec3::ZERO, |a, b| a + b) / slopes.len() as f64;
+    let hole = NurbsCurve::ellipse(
+        Frame::XY.at(DVec3::X * 6.0),
+        [0.5 + 0.2 * h, 0.7],
+        CircleForm::NinePoint,
+    )
+    .unwrap();
+    let is_flat = speed.length() <= 0.0;
+    let holes = if is_flat { vec![hole.clone()] } else { Vec::new() };
+    let region = Region::new(&border, &holes, Tolerance::DEFAULT).unwrap();
+    let outward = |p: &DVec4| DVec4::new(0.4 * (p.x - 6.0 * p.w), 0.0, 0.0, 0.0);
+    let of_hole = hole.control_points().iter().map(outward).collect();
+    let varied = |curve: NurbsCurve, own: Vec<DVec4>| {
+        let slopes = PointSlopes::new(1, own.len(), vec![(0, own)]).unwrap();
+        VariedCurve::new(curve.into(), slopes).unwrap()
+    };
+    ([varied(border, slopes.clone()), varied(hole, of_hole)], region)
+}
+
+/// The region with what varies along its borders.
+fn varied_region(ring: &(Vec<DVec4>, Vec<DVec4>)) -> VariedRegion {
+    let ([border, hole], region) = region_at(ring, 0.0);
+    let mut borders = vec![vec![border]];
+    if region.n_holes() == 1 {
+        borders.push(vec![hole]);
+    }
+    VariedRegion::new(region.into(), borders).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn a_region_grows_with_its_borders(ring in moving_ring()) {
+        let varied = varied_region(&ring);
+        let region = |h: f64| region_at(&ring, h).1;
+        let size = region(0.0).area();
+        let area = central(|h| region(h).area());
+        prop_assert!(is_near(varied.area_slopes().unwrap()[0], area, size));
+        let length = central(|h| region(h).length());
+        prop_assert!(is_near(varied.length_slopes().unwrap()[0], length, size));
+        let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+        let inertia = |h: f64| region(h).mass().inertia;
+        let second = |d: usize, e: usize| {
+            varied.second_moment_slopes([axes[d], axes[e]]).unwrap()[0]
+        };
+        let trace = second(0, 0) + second(1, 1) + second(2, 2);
+        for d in 0..3 {
+            let place = central(|h| region(h).mass().centroid[d]);
+            prop_assert!(is_near(varied.centroid_slopes(axes[d]).unwrap()[0], place, size));
+            for e in 0..3 {
+                let expected = central(|h| inertia(h).col(e)[d]);
+                let found = if d == e { trace - second(d, e) } else { -second(d, e) };
+                prop_assert!(is_near(found, expected, 10.0 * size), "{found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_a_region_passes_grows_with_it(ring in moving_ring(), speed in some::point()) {
+        let (varied, speed) = (std::sync::Arc::new(varied_region(&ring)), 0.1 * speed);
+        let way = |h: f64| DVec3::new(0.5, -0.3, 2.0) + h * speed;
+        let passed = |h: f64| Solid::extruded(&region_at(&ring, h).1, way(h), Tolerance::DEFAULT).unwrap();
+        let prism = VariedSolid::new(
+            passed(0.0).into(), varied.clone(), RegionWay::Along(way(0.0), vec![speed]),
+        );
+        let volume = |h: f64| passed(h).volume_mass().unwrap();
+        let size = volume(0.0).amount;
+        prop_assert!(is_near(prism.volume_slopes().unwrap()[0], central(|h| volume(h).amount), size));
+        let area = central(|h| passed(h).area_mass().unwrap().amount);
+        prop_assert!(is_near(prism.area_slopes().unwrap()[0], area, size));
+        for (k, axis) in [DVec3::X, DVec3::Y, DVec3::Z].into_iter().enumerate() {
+            let expected = central(|h| volume(h).centroid[k]);
+            prop_assert!(is_near(prism.centroid_slopes(axis).unwrap()[0], expected, size));
+        }
+
+        // About an axis in the plane, where that stays.
+        prop_assume!(varied.region().n_holes() == 1);
+        let axis = Axis::new(DVec3::ZERO, DVec3::Y).unwrap();
+        for (angle, turn) in [(2.0, 0.7), (-1.5, 0.4), (std::f64::consts::TAU, 0.0)] {
+            let passed = |h: f64| {
+                Solid::revolved(&region_at(&ring, h).1, axis, angle + h * turn, Tolerance::DEFAULT).unwrap()
+            };
+            let ring = VariedSolid::new(
+                passed(0.0).into(), varied.clone(), RegionWay::About(axis, angle, vec![turn]),
+            );
+            let volume = |h: f64| passed(h).volume_mass().unwrap();
+            let size = volume(0.0).amount;
+            prop_assert!(is_near(ring.volume_slopes().unwrap()[0], central(|h| volume(h).amount), size));
+            let Ok(found) = ring.centroid_slopes(DVec3::Y) else { continue };
+            prop_assert!(is_near(found[0], central(|h| volume(h).centroid.y), size));
+        }
+    }
 }

@@ -240,3 +240,72 @@ fn derivatives_through_whole_operations_agree_with_central_differences() {
     let wrong: Vec<String> = affine.iter().filter_map(|op| law(op).err()).collect();
     assert!(wrong.is_empty(), "{}\n({} of {})", wrong.join("\n"), wrong.len(), affine.len());
 }
+
+/// Models of several operations, as functions of a place, and the place.
+const MODELS: &[(&str, &str)] = &[
+    ("p => length(interpolate([(0, 0), p, (4, 0)]))", "(2, 1)"),
+    (
+        "p => length(interpolate([(0, 0), p, (4, 0), (6, 1), (8, -1)], parameters = \"centripetal\"))",
+        "(2, 1)",
+    ),
+    ("p => curvature(interpolate([(0, 0), p, (4, 0), (6, 1), (8, -1)]), 0.37) * 1mm", "(2, 1)"),
+    ("p => closest(interpolate([(0, 0), p, (4, 0), (6, 1), (8, -1)]), (3, 3)).distance", "(2, 1)"),
+    ("p => area(extrude(interpolate([(0, 0), p, (4, 0), (6, 1)]), (0, 0, 3)))", "(2, 1)"),
+    (
+        "p => length(trim(reversed(elevate(interpolate([(0, 0), p, (4, 0), (6, 1)]), 5)), 0.2..0.7))",
+        "(2, 1)",
+    ),
+    (
+        "p => length(rotate(join([interpolate([(0, 0), p, (4, 0), (6, 1)]), line((6, 1), (9, 9))]), 30deg))",
+        "(2, 1)",
+    ),
+    (
+        "p => area(ruled(interpolate([(0, 0), p, (4, 0), (6, 1)]), line((0, 0, 3), (6, 1, 3))))",
+        "(2, 1)",
+    ),
+    (
+        "p => area(skin([line((0, 0), (4, 0)), line((0, 2, 1), p), line((0, 5), (4, 5))]))",
+        "(4, 2, 1)",
+    ),
+    (
+        "p => area(skin([for i in 0..4: bezier((0, 0, i), p + (0, i, i^2), (4, i, 0))], parameters = \"centripetal\"))",
+        "(2, 1)",
+    ),
+    (
+        "p => area(skin([for i in 0..3: interpolate([(0, 0, i), p + (0, i, i), (4, i, i), (6, 1, i)])], parameters = [0, 1, 2, 3]))",
+        "(2, 1)",
+    ),
+    (
+        "p => area(interpolate([[(0, 0), (0, 2), (0, 4)], [(2, 0), p, (2, 4)], [(4, 0), (4, 2), (4, 4)]]))",
+        "(2.1, 2, 1)",
+    ),
+    (
+        "p => area(region([interpolate([(0, 0), (2, p), (4, 0), (6, 1)]), line((6, 1), (3, -4)), line((3, -4), (0, 0))]))",
+        "1",
+    ),
+    ("p => inertia(region(polyline([(0, 0), p, (1, 4)], closed = true))).moments[0]", "(3, 1)"),
+    ("r => length(region(circle((0, 0), 3), holes = [circle((1, 0), r)]))", "1.5"),
+    ("r => volume(extrude(region(circle((0, 0), r)), (0, 1, 2 * r)))", "2"),
+    ("r => area(extrude(region(circle((0, 0), r)), (0, 1, 2 * r)))", "2"),
+    ("r => centroid(extrude(region(circle((r, 0), r)), (0, 1, 2 * r))).z", "2"),
+    ("a => volume(revolve(region(circle((5, 0), 2)), axis = (0, 1, 0), angle = a))", "60deg"),
+    (
+        "x => centroid(revolve(region(polyline([(1, 0), (x, 1), (1, 4)], closed = true)), axis = (0, 1, 0))).y",
+        "3",
+    ),
+    ("y => intersect(bezier((0, 0), (2, y), (4, 0)), circle((2, 0), 1.5))[0].point.x", "3"),
+];
+
+#[test]
+fn derivatives_through_models_agree_with_differences() {
+    let disagrees = |(model, at): &(&str, &str)| {
+        let script = format!(
+            "unit mm\nlet f = {model}\ncheck gradient(f, {at}) ~= gradient(f, {at}, differences = true) within 1e-6\n"
+        );
+        let report = run(&script);
+        let told: Vec<&str> = report.diagnostics.iter().map(|found| &*found.message).collect();
+        (!told.is_empty()).then(|| format!("{model}: {}", told.join("; ")))
+    };
+    let wrong: Vec<String> = MODELS.iter().filter_map(disagrees).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

@@ -83,8 +83,8 @@ pub(super) enum FactoredEquations {
 pub(super) enum EndRow {
     /// The control point next to the end, as a combination of the three values from the end.
     Values([f64; 3]),
-    /// Zero.
-    Zero,
+    /// Zero, for a derivative of this order.
+    Vanishing(usize),
     /// The control point next to the end, this far along the given derivative.
     Along(f64),
 }
@@ -193,8 +193,8 @@ impl Interpolator {
         let sides = [(parameters, 1), (&backwards[..], n)];
         let mut end_rows = sides.map(|(t, column)| match ends {
             Ends::Clamped => (Equation::control_point(column), EndRow::Along((t[1] - t[0]) / 3.0)),
-            Ends::Natural => (end_derivative(&knots, column, 2), EndRow::Zero),
-            Ends::Quadratic => (end_derivative(&knots, column, 3), EndRow::Zero),
+            Ends::Natural => (end_derivative(&knots, column, 2), EndRow::Vanishing(2)),
+            Ends::Quadratic => (end_derivative(&knots, column, 3), EndRow::Vanishing(3)),
             _ => (Equation::control_point(column), EndRow::Values(bessel(t))),
         });
         // Forwards at the start is backwards at the end.
@@ -214,7 +214,7 @@ impl Interpolator {
 }
 
 /// The condition that a derivative vanishes at the end beside which control point `column` lies.
-fn end_derivative(knots: &KnotVector, column: usize, order: usize) -> Equation {
+pub(super) fn end_derivative(knots: &KnotVector, column: usize, order: usize) -> Equation {
     let domain = knots.domain();
     let end = if column == 1 { domain.start() } else { domain.end() };
     Equation::derivative(knots, end, order).scaled()

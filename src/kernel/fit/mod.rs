@@ -3,7 +3,7 @@
 //! `parameters` says where on the curve each point is to lie; `equation` holds
 //! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
-//! those of a closed one, `through` the splines, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `moving_surface` the same of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
@@ -13,6 +13,8 @@ mod interpolate;
 mod kinks;
 mod lagrange;
 mod least;
+mod moving;
+mod moving_surface;
 mod parameters;
 mod periodic;
 mod sample;
@@ -30,6 +32,7 @@ pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub(crate) use least::FitCondition;
+pub use moving::interpolate_varied;
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
 pub use within::{Lines, columns_within, surface_within};

@@ -151,7 +151,7 @@ impl EndRow {
     fn value(self, from_end: impl Fn(usize) -> DVec4, derivative: DVec4) -> DVec4 {
         match self {
             Self::Values([a, b, c]) => a * from_end(0) + b * from_end(1) + c * from_end(2),
-            Self::Zero => DVec4::ZERO,
+            Self::Vanishing(_) => DVec4::ZERO,
             Self::Along(third) => from_end(0) + third * derivative,
         }
     }

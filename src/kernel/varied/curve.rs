@@ -5,7 +5,10 @@ use std::sync::Arc;
 use glam::{DVec3, DVec4};
 
 use super::{PointSlopes, binomials};
-use crate::{GeomError, Grid, Jet, NurbsCurve, Side, homogeneous};
+use crate::{
+    GeomError, Grid, Jet, LocalError, NurbsCurve, Side, homogeneous,
+    tolerance::{EXACT_RELATIVE, LAST_BIT},
+};
 
 /// A curve and the slopes of its control points by several variables.
 ///
@@ -27,6 +30,8 @@ use crate::{GeomError, Grid, Jet, NurbsCurve, Side, homogeneous};
 pub struct VariedCurve {
     curve: Arc<NurbsCurve>,
     slopes: PointSlopes,
+    /// The same curve on its own knots, where these move: `curve` has more of them, which do not.
+    given: Option<Arc<NurbsCurve>>,
 }
 
 impl VariedCurve {
@@ -38,7 +43,35 @@ impl VariedCurve {
         for (_, slopes) in slopes.by_variable() {
             curve.knots().check_points(slopes.len())?;
         }
-        Ok(Self { curve, slopes })
+        Ok(Self { curve, slopes, given: None })
+    }
+
+    /// A curve that does not depend on so many variables.
+    ///
+    /// # Errors
+    /// None but those of [`Self::new`].
+    pub fn fixed(curve: Arc<NurbsCurve>, n_variables: usize) -> Result<Self, GeomError> {
+        let n_points = curve.control_points().len();
+        Self::new(curve, PointSlopes::new(n_variables, n_points, Vec::new())?)
+    }
+
+    /// The same as the form of a curve whose own knots move; none unless both are one curve.
+    #[must_use]
+    pub fn of_moving_knots(self, given: Arc<NurbsCurve>) -> Option<Self> {
+        let is_other = self.curve.knots() != given.knots();
+        is_same(&self.curve, &given).then_some(Self { given: is_other.then_some(given), ..self })
+    }
+
+    /// The curve on its own knots: those of [`Self::curve`], unless they move.
+    #[must_use]
+    pub fn given(&self) -> &Arc<NurbsCurve> {
+        self.given.as_ref().unwrap_or(&self.curve)
+    }
+
+    /// Whether its own knots move, so that its control points have no slopes but those of another form.
+    #[must_use]
+    pub fn has_moving_knots(&self) -> bool {
+        self.given.is_some()
     }
 
     /// The curve itself.
@@ -76,20 +109,46 @@ impl VariedCurve {
         side: Side,
         order: usize,
     ) -> Result<Vec<[Jet; 3]>, GeomError> {
-        let knots = self.curve.knots();
-        let span = knots.span_beside(t.value(), side);
-        let weighted = self.curve.homogeneous_derivatives(span, t.value(), order + 1);
-        let space = homogeneous::quotient(&weighted);
-        let basis = knots.basis_derivatives_on(span, t.value(), order.min(knots.degree()));
-        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
-            space_slopes(&slopes[knots.support(span)], &basis, &weighted[..=order], &space)
-        };
-        let slopes: Vec<Vec<DVec3>> = self.slopes.by_variable().iter().map(of_variable).collect();
+        let span = self.curve.knots().span_beside(t.value(), side);
+        let (space, slopes) = self.slopes_on(span, t.value(), order);
+        let spans =
+            [Side::Left, Side::Right].map(|side| self.curve.knots().span_beside(t.value(), side));
+        if self.given.is_some() && spans[0] != spans[1] {
+            self.check_meeting(spans, t.value(), order)?;
+        }
         let vector = |k: usize| {
             let own: Vec<DVec3> = slopes.iter().map(|slopes| slopes[k]).collect();
             self.slopes.vector(space[k], &own, &[(t, space[k + 1])])
         };
         (0..=order).map(vector).collect()
+    }
+
+    /// Derivatives up to one more than an order by the piece over a span, and their slopes by each variable that the
+    /// points depend on, up to the order.
+    fn slopes_on(&self, span: usize, t: f64, order: usize) -> (Vec<DVec3>, Vec<Vec<DVec3>>) {
+        let knots = self.curve.knots();
+        let weighted = self.curve.homogeneous_derivatives(span, t, order + 1);
+        let space = homogeneous::quotient(&weighted);
+        let basis = knots.basis_derivatives_on(span, t, order.min(knots.degree()));
+        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
+            space_slopes(&slopes[knots.support(span)], &basis, &weighted[..=order], &space)
+        };
+        let slopes = self.slopes.by_variable().iter().map(of_variable).collect();
+        (space, slopes)
+    }
+
+    /// Fails where the pieces beside a knot that moves grow in different ways.
+    fn check_meeting(&self, spans: [usize; 2], t: f64, order: usize) -> Result<(), GeomError> {
+        let [before, behind] = spans.map(|span| self.slopes_on(span, t, order).1);
+        for (before, behind) in before.iter().flatten().zip(behind.iter().flatten()) {
+            let size = before.length().max(behind.length()).max(self.curve.magnitude());
+            if LAST_BIT.sqrt() * size < before.distance(*behind) {
+                return Err(
+                    LocalError::NotDifferentiable { what: "the curve at its knot", at: t }.into()
+                );
+            }
+        }
+        Ok(())
     }
 }
 
@@ -111,4 +170,16 @@ fn space_slopes(
         (own[k].truncate() - held.sum::<DVec3>()).extend(weighted[k].w)
     };
     homogeneous::quotient(&(0..weighted.len()).map(numerator).collect::<Vec<_>>())
+}
+
+/// Whether a curve and one on fewer knots are the same, as far as p + 1 places on each span of the first tell.
+fn is_same(fine: &NurbsCurve, coarse: &NurbsCurve) -> bool {
+    let (knots, allowed) = (fine.knots(), EXACT_RELATIVE * fine.magnitude());
+    let n = knots.degree() + 1;
+    let is_near = |t: f64| fine.point_at(t).distance(coarse.point_at(t)) <= allowed;
+    knots.domain() == coarse.domain()
+        && knots.spans().all(|span| {
+            let piece = knots.span_interval(span);
+            (0..n).all(|k| is_near(piece.at((k as f64 + 0.5) / n as f64)))
+        })
 }

@@ -6,9 +6,12 @@
 //! slopes; where the measure is an integral, its gradient is the integral of the integrand's, found once for
 //! all variables.
 
+mod body;
+mod border;
 mod closed;
 mod curve;
 mod flux;
+pub(crate) mod knots;
 mod length;
 mod surface;
 
@@ -16,6 +19,8 @@ use glam::DVec4;
 
 use super::{CountError, GeomError, Jet};
 
+pub use body::{RegionWay, VariedSolid};
+pub use border::VariedRegion;
 pub use closed::stay_closed;
 pub use curve::VariedCurve;
 pub use flux::SurfaceIntegral;

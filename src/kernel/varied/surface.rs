@@ -5,7 +5,10 @@ use std::sync::Arc;
 use glam::{DVec3, DVec4};
 
 use super::{PointSlopes, binomials};
-use crate::{CountError, GeomError, Grid, Jet, NurbsSurface, homogeneous};
+use crate::{
+    CountError, GeomError, Grid, Jet, KnotVector, LocalError, NurbsSurface, Side, homogeneous,
+    tolerance::{EXACT_RELATIVE, LAST_BIT},
+};
 
 /// A surface and the slopes of its control points by several variables, row after row.
 ///
@@ -27,6 +30,8 @@ use crate::{CountError, GeomError, Grid, Jet, NurbsSurface, homogeneous};
 pub struct VariedSurface {
     surface: Arc<NurbsSurface>,
     slopes: PointSlopes,
+    /// The same surface on its own knots, where these move: `surface` has more of them, which do not.
+    given: Option<Arc<NurbsSurface>>,
 }
 
 impl VariedSurface {
@@ -38,8 +43,28 @@ impl VariedSurface {
         let needed = surface.control_points().as_slice().len();
         match slopes.by_variable().iter().find(|(_, slopes)| slopes.len() != needed) {
             Some((_, slopes)) => Err(CountError::TooFewPoints { got: slopes.len(), needed }.into()),
-            None => Ok(Self { surface, slopes }),
+            None => Ok(Self { surface, slopes, given: None }),
         }
+    }
+
+    /// The same as the form of a surface whose own knots move; none unless both are one surface.
+    #[must_use]
+    pub fn of_moving_knots(self, given: Arc<NurbsSurface>) -> Option<Self> {
+        let knots = |surface: &NurbsSurface| [surface.knots_u().clone(), surface.knots_v().clone()];
+        let is_other = knots(&self.surface) != knots(&given);
+        is_same(&self.surface, &given).then_some(Self { given: is_other.then_some(given), ..self })
+    }
+
+    /// The surface on its own knots: those of [`Self::surface`], unless they move.
+    #[must_use]
+    pub fn given(&self) -> &Arc<NurbsSurface> {
+        self.given.as_ref().unwrap_or(&self.surface)
+    }
+
+    /// Whether its own knots move, so that its control points have no slopes but those of another form.
+    #[must_use]
+    pub fn has_moving_knots(&self) -> bool {
+        self.given.is_some()
     }
 
     /// The surface itself.
@@ -77,16 +102,21 @@ impl VariedSurface {
         [u, v]: [&Jet; 2],
         order: usize,
     ) -> Result<Grid<[Jet; 3]>, GeomError> {
-        let surface = &self.surface;
+        let (knots_u, knots_v) = (self.surface.knots_u(), self.surface.knots_v());
         let place = [u.value(), v.value()];
-        let spans = [surface.knots_u().span_at(place[0]), surface.knots_v().span_at(place[1])];
-        let weighted = surface.homogeneous_derivatives_on(spans, place, order + 1);
-        let space = homogeneous::quotient_grid(&weighted);
-        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
-            let own = self.weighted_slopes(slopes, spans, place, order);
-            space_slopes(&own, &weighted, &space)
-        };
-        let slopes: Vec<Grid<DVec3>> = self.slopes.by_variable().iter().map(of_variable).collect();
+        let spans = [knots_u.span_at(place[0]), knots_v.span_at(place[1])];
+        let (space, slopes) = self.slopes_on(spans, place, order);
+        if self.given.is_some() {
+            let before = [
+                knots_u.span_beside(place[0], Side::Left),
+                knots_v.span_beside(place[1], Side::Left),
+            ];
+            for other in [[before[0], spans[1]], [spans[0], before[1]], before] {
+                if other != spans {
+                    self.check_meeting(&slopes, other, place, order)?;
+                }
+            }
+        }
         let vector = |(k, l): (usize, usize)| {
             let own: Vec<DVec3> = slopes.iter().map(|slopes| slopes.get(k, l)).collect();
             let growths = [(u, space.get(k + 1, l)), (v, space.get(k, l + 1))];
@@ -94,6 +124,48 @@ impl VariedSurface {
         };
         let orders = (0..=order).flat_map(|k| (0..=order).map(move |l| (k, l)));
         Grid::new(order + 1, order + 1, orders.map(vector).collect::<Result<_, _>>()?)
+    }
+
+    /// Derivatives up to one more than an order by the patch over spans, and their slopes by each variable that the points
+    /// depend on, up to the order.
+    fn slopes_on(
+        &self,
+        spans: [usize; 2],
+        place: [f64; 2],
+        order: usize,
+    ) -> (Grid<DVec3>, Vec<Grid<DVec3>>) {
+        let weighted = self.surface.homogeneous_derivatives_on(spans, place, order + 1);
+        let space = homogeneous::quotient_grid(&weighted);
+        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
+            let own = self.weighted_slopes(slopes, spans, place, order);
+            space_slopes(&own, &weighted, &space)
+        };
+        let slopes = self.slopes.by_variable().iter().map(of_variable).collect();
+        (space, slopes)
+    }
+
+    /// Fails where the patch beside a knot that moves grows in another way.
+    fn check_meeting(
+        &self,
+        slopes: &[Grid<DVec3>],
+        spans: [usize; 2],
+        place: [f64; 2],
+        order: usize,
+    ) -> Result<(), GeomError> {
+        let (_, beside) = self.slopes_on(spans, place, order);
+        let points = self.surface.points();
+        let vectors = slopes.iter().flat_map(Grid::as_slice).chain(points.as_slice());
+        let size = vectors.map(|vector| vector.length()).fold(0.0, f64::max);
+        let allowed = LAST_BIT.sqrt() * size;
+        let orders = || (0..=order).flat_map(|k| (0..=order - k).map(move |l| (k, l)));
+        let differ = |(own, beside): (&Grid<DVec3>, &Grid<DVec3>)| {
+            orders().any(|(k, l)| allowed < own.get(k, l).distance(beside.get(k, l)))
+        };
+        if slopes.iter().zip(&beside).any(differ) {
+            let what = "the surface at its knot";
+            return Err(LocalError::NotDifferentiable { what, at: place[0] }.into());
+        }
+        Ok(())
     }
 
     /// Homogeneous derivatives of the surface that has the slopes of one variable for control points.
@@ -120,6 +192,29 @@ impl VariedSurface {
             sum
         })
     }
+}
+
+/// Whether a surface and one on fewer knots are the same, as far as p + 1 by q + 1 places on each patch of the
+/// first tell.
+fn is_same(fine: &NurbsSurface, coarse: &NurbsSurface) -> bool {
+    let knots = [fine.knots_u(), fine.knots_v()];
+    if knots.map(KnotVector::domain) != [coarse.domain_u(), coarse.domain_v()] {
+        return false;
+    }
+    let [us, vs] = knots.map(|knots| {
+        let n = knots.degree() + 1;
+        let place =
+            |(span, k): (usize, usize)| knots.span_interval(span).at((k as f64 + 0.5) / n as f64);
+        knots
+            .spans()
+            .flat_map(|span| (0..n).map(move |k| (span, k)))
+            .map(place)
+            .collect::<Vec<f64>>()
+    });
+    let (fine, coarse) = (fine.points_on_grid(&us, &vs), coarse.points_on_grid(&us, &vs));
+    let size = fine.as_slice().iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    let pairs = fine.as_slice().iter().zip(coarse.as_slice());
+    pairs.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) <= EXACT_RELATIVE * size
 }
 
 /// The slopes of derivatives in space, from those of the homogeneous ones.

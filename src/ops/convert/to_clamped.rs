@@ -22,7 +22,7 @@ op! {
     example "to_clamped(coons_cubic((0, 0), (0, 6), (6, 6), (6, 0))).points" => "[(1, 5, 0), (2, 6, 0), (4, 6, 0), (5, 5, 0)]";
     example "to_clamped(hermite([(0, 0), (1, 1), (2, 8)], [(1, 0), (1, 3), (1, 12)])).knots" => "[0, 0, 0, 0, 2, 2, 2, 2]";
     refuses "to_clamped(parametric(t => (t, t^2), 0..2))" => "E0301: `to_clamped`: `c` must be a NURBS curve, found a parametric curve";
-    derivative affine;
+    derivative shape;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -4,8 +4,11 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Ends, Parametrization, check_parameters},
-    value::{At, Choice, FromValue, IntoValue, Mismatch, Type, Value, rounded},
+    kernel::{Ends, Parametrization, PointSlopes, check_parameters},
+    value::{
+        At, Call, Choice, FromValue, IntoValue, Mismatch, NoDerivative, Type, Value, Vector,
+        rounded,
+    },
 };
 
 impl Choice for Parametrization {
@@ -59,6 +62,40 @@ impl IntoValue for Parameters {
 /// The default of curves that are fitted: by the distance of the points.
 pub(super) fn chord() -> Spanned<Parameters> {
     Spanned::unplaced(Parameters::By(Parametrization::Chord))
+}
+
+/// Whether a call leaves it to a rule of smooth functions where points lie, so that parameters move with them.
+pub(in crate::ops) fn moves_knots(call: &Call) -> bool {
+    let parameters = call.named.iter().find(|(name, _)| &*name.value == "parameters");
+    parameters.is_none_or(|(_, given)| match &given.value {
+        Value::Text(rule) => matches!(&**rule, "chord" | "centripetal"),
+        _ => false,
+    })
+}
+
+/// The slopes of points, where these carry derivatives.
+pub(in crate::ops) fn slopes_of(points: &[Vector], span: Span) -> Result<Option<PointSlopes>> {
+    let jets = |vector: &Vector| match vector {
+        Vector::Jets(jets) => Some(jets[0].clone()),
+        Vector::Plain(_) => None,
+    };
+    let Some(first) = points.iter().find_map(jets) else { return Ok(None) };
+    let Some(n_variables) = first.n_variables() else {
+        let reason = NoDerivative::HigherOrder;
+        let message = format!("`interpolate`: {}", reason.message());
+        let error = Diagnostic::error(Code::NoDerivative, span, message);
+        return error.hint(reason.hint()).fail();
+    };
+    let slope = |vector: &Vector, variable: usize| match vector {
+        Vector::Jets(jets) => DVec3::from(jets.each_ref().map(|jet| jet.slopes()[variable])),
+        Vector::Plain(_) => DVec3::ZERO,
+    };
+    let by_variable = (0..n_variables)
+        .map(|variable| {
+            (variable, points.iter().map(|point| slope(point, variable).extend(0.0)).collect())
+        })
+        .collect();
+    PointSlopes::new(n_variables, points.len(), by_variable).at(span).map(Some)
 }
 
 /// One parameter a point, different ones for neighbours.

@@ -1,12 +1,14 @@
 //! `interpolate`: the spline through points.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::fit::{Parameters, chord, distinct_parameters, two_tangents};
+use super::fit::{Parameters, chord, distinct_parameters, moves_knots, slopes_of, two_tangents};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{ConstructionReport, Ends, Interpolator, NurbsCurve},
-    value::{At, AtLeast, Ctx, op},
+    kernel::{ConstructionReport, Curve, Ends, Interpolator, NurbsCurve, interpolate_varied},
+    value::{At, AtLeast, CARRIES_DERIVATIVES, Call, Ctx, RealCurve, Vector, op},
 };
 
 op! {
@@ -20,9 +22,9 @@ op! {
     /// except where tangents or "natural" make up for them. A closed curve is periodic: its seam
     /// is as smooth as its other joints. Farin, *Curves and Surfaces for CAGD*, §9; Piegl &
     /// Tiller, *The NURBS Book*, (9.8), (9.22), (9.23).
-    interpolate in Curve -> NurbsCurve {
+    interpolate in Curve -> RealCurve {
         /// The points, two or more.
-        points: Spanned<AtLeast<2, DVec3>>,
+        points: Spanned<AtLeast<2, Vector>>,
         /// The degree.
         degree: Spanned<usize> = Spanned::unplaced(3),
         /// Where on the curve the points lie: by a rule, or listed. A closed curve takes one more,
@@ -44,20 +46,54 @@ op! {
     refuses "interpolate((0, 0), (1, 1), (1, 1), (2, 0))" => "E0607: points 1 and 2 are at one place";
     refuses "interpolate((0, 0), (1, 1), (2, 0), parameters = [0, 2, 1])" => "E0610: parameter 2 is 1, not above the 2 before it; parameters increase";
     refuses "interpolate((0, 0), (1, 1), (2, 0), ends = \"clamped\")" => "E0401: \"clamped\" ends need their tangents";
-    derivative affine;
+    derivative affine unless is_of_moving_knots;
     scene r#"
         points p = [(0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)] with (color = "red")
         curve c = interpolate(p)
     "#;
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+/// Whether the knots move with the points, and the spline has slopes nevertheless.
+fn is_of_moving_knots(call: &Call) -> bool {
+    let is_taken = |name: &str| matches!(name, "degree" | "parameters" | "ends" | "points");
+    moves_knots(call) && call.named.iter().all(|(name, _)| is_taken(&name.value))
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealCurve> {
     check_degree(args.degree)?;
     check_conditions(&args)?;
-    if args.closed {
-        return closed(ctx, args);
+    let AtLeast(vectors) = &args.points.value;
+    let points: Vec<DVec3> = vectors.iter().map(Vector::value).collect();
+    let Some(slopes) = slopes_of(vectors, args.points.span)? else {
+        return spline(ctx, args, points).map(|curve| RealCurve::from(Curve::from(curve)));
+    };
+    let (span, degree) = (args.points.span, args.degree.value);
+    let Parameters::By(rule) = args.parameters.value else { return no_slopes(ctx.span) };
+    let parameters = distinct_parameters(args.parameters, Spanned::new(&points[..], span))?;
+    let ends = ends_for(args.ends.value, points.len(), degree);
+    let fit = Interpolator::new(&parameters, degree, ends).at(span)?;
+    let varied = interpolate_varied((&fit, ends), rule, &points, &slopes).at(span)?;
+    varied.map_or_else(|| no_slopes(ctx.span), |varied| Ok(Arc::new(varied).into()))
+}
+
+/// Fails: a polygon tears where a corner moves along it, and so do others.
+fn no_slopes<T>(span: Span) -> Result<T> {
+    let message = "`interpolate`: its knots move with what is differentiated, and no derivative is known of that";
+    Diagnostic::error(Code::NoDerivative, span, message).hint(CARRIES_DERIVATIVES).fail()
+}
+
+/// With as few points the curve of a lower degree has these ends too.
+fn ends_for(ends: Ends, n_points: usize, degree: usize) -> Ends {
+    match ends {
+        Ends::Bessel | Ends::Quadratic if n_points <= degree => Ends::Averaged,
+        ends => ends,
     }
-    let AtLeast(points) = args.points.value;
+}
+
+fn spline(ctx: &Ctx<'_>, args: Args, points: Vec<DVec3>) -> Result<NurbsCurve> {
+    if args.closed {
+        return closed(ctx, args, points);
+    }
     let span = args.points.span;
     let parameters = distinct_parameters(args.parameters, Spanned::new(&points[..], span))?;
     let degree = args.degree.value;
@@ -72,11 +108,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
         let curve = interpolator.curve_with_tangents(&points, tangents).at(span)?;
         return Ok(reporting(curve, parameters));
     }
-    let ends = match args.ends.value {
-        // With as few points the curve of a lower degree has these ends too.
-        Ends::Bessel | Ends::Quadratic if points.len() <= degree => Ends::Averaged,
-        ends => ends,
-    };
+    let ends = ends_for(args.ends.value, points.len(), degree);
     let interpolator = Interpolator::new(&parameters, degree, ends).at(span)?;
     Ok(reporting(interpolator.curve(&points).at(span)?, parameters))
 }
@@ -90,8 +122,7 @@ fn reporting(curve: NurbsCurve, parameters: Vec<f64>) -> NurbsCurve {
 }
 
 /// The periodic curve.
-fn closed(ctx: &Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    let AtLeast(mut around) = args.points.value;
+fn closed(ctx: &Ctx<'_>, args: Args, mut around: Vec<DVec3>) -> Result<NurbsCurve> {
     let span = args.points.span;
     let first = around[0];
     if around.len() > 1 && ctx.tolerance.distance < around[around.len() - 1].distance(first) {

@@ -14,7 +14,11 @@ use crate::{
     value::{Dimension, Op},
 };
 
-pub(super) use surface::{MassOf, inertia::inertia_told, tell_accuracy};
+pub(super) use surface::{
+    MassOf,
+    inertia::{inertia_told, varying_inertia},
+    tell_accuracy,
+};
 
 /// What the kernel answers to a question.
 type Measured<T> = std::result::Result<T, GeomError>;

@@ -2,21 +2,25 @@
 
 use glam::DVec3;
 
-use super::Given;
 use crate::{
     diag::Result,
-    value::{Ctx, op},
+    value::{At, Ctx, RealRegion, Vector, op, with_slopes},
 };
 
 op! {
     /// Centre of gravity of a region.
-    centroid in Region -> DVec3 {
+    centroid in Region -> Vector {
         /// The region.
-        r: Given,
+        r: RealRegion,
     }
     example "centroid(region(polyline([(0, 0), (3, 0), (0, 6)], closed = true))) ~= (1, 2)" => "true";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    Ok(args.r.mass().centroid)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let center = args.r.plain().mass().centroid;
+    let along = |axis: DVec3| {
+        let slopes = args.r.varied().map(|varied| varied.centroid_slopes(axis));
+        with_slopes(center.dot(axis), slopes).at(ctx.span)
+    };
+    Ok(Vector::new([along(DVec3::X)?, along(DVec3::Y)?, along(DVec3::Z)?]))
 }

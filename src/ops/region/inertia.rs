@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 
-use super::Given;
 use crate::{
     diag::Result,
     kernel::principal_axes,
-    value::{Ctx, IntoValue, LengthPower, Record, op},
+    ops::measure::{MassOf, varying_inertia},
+    value::{At, Ctx, IntoValue, LengthPower, Real, RealRegion, Record, op, with_slopes},
 };
 
 op! {
@@ -17,13 +17,18 @@ op! {
     /// bending.
     inertia in Region -> Record {
         /// The region.
-        r: Given,
+        r: RealRegion,
     }
     example "inertia(region(circle((0, 0), 2))).moments ~= [4*pi, 4*pi, 8*pi] within 1e-10" => "true";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Record> {
-    Ok(of_skin(args.r.mass().inertia))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
+    let tensor = args.r.plain().mass().inertia;
+    let Some(varied) = args.r.varied() else { return Ok(of_skin(tensor)) };
+    let second = |d: DVec3, e: DVec3| -> Result<Real> {
+        with_slopes(0.0, Some(varied.second_moment_slopes([d, e]))).at(ctx.span)
+    };
+    varying_inertia(tensor, second, MassOf::Area, ctx.span)
 }
 
 /// What the inertia of a skin about its centroid is told as.

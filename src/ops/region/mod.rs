@@ -19,8 +19,8 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, NurbsCurve, Region, join},
-    value::{At, Ctx, FromValue, List, Mismatch, Op, Type, Value},
+    kernel::{Curve, NurbsCurve, Region, VariedCurve, join},
+    value::{At, Ctx, FromValue, List, Mismatch, Op, RealCurve, Type, Value},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -105,6 +105,44 @@ impl Border {
             [curve] => Ok(curve.clone()),
             _ => join(&curves, ctx.tolerance.distance).at(span),
         }
+    }
+}
+
+/// A border as [`Border`], the curves of which may carry derivatives.
+#[derive(Clone)]
+struct RealBorder {
+    plain: Border,
+    real: Vec<RealCurve>,
+}
+
+impl FromValue for RealBorder {
+    const TYPE: Type = Border::TYPE;
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        let real = match value {
+            Value::List(items) if !items.is_empty() => Vec::from_value(value, span)?,
+            _ if Border::TYPE.accepts(value) => vec![RealCurve::from_value(value, span)?],
+            _ => return Err(Mismatch::kind(Self::TYPE, value)),
+        };
+        let plain = Border(real.iter().map(|curve| Curve::clone(curve)).collect());
+        Ok(Self { plain, real })
+    }
+}
+
+impl RealBorder {
+    /// How many variables it depends on; none where it does on none.
+    fn n_variables(&self) -> Option<usize> {
+        let varied = self.real.iter().find_map(RealCurve::varied)?;
+        Some(varied.slopes().n_variables())
+    }
+
+    /// Its curves with their slopes, those of fixed ones zero.
+    fn varied(&self, n_variables: usize, span: Span) -> Result<Vec<VariedCurve>> {
+        let curve = |curve: &RealCurve| match curve.varied() {
+            Some(varied) => Ok(varied.clone()),
+            None => VariedCurve::fixed(curve.spline()?, n_variables),
+        };
+        self.real.iter().map(curve).collect::<std::result::Result<_, _>>().at(span)
     }
 }
 

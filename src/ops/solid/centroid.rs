@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 
-use super::{GivenSolid, mass};
+use super::mass;
 use crate::{
-    diag::Result,
+    diag::{Code, Diagnostic, Result},
     ops::measure::MassOf,
-    value::{Ctx, op},
+    value::{At, CARRIES_DERIVATIVES, Ctx, RealSolid, Vector, op, with_slopes},
 };
 
 op! {
     /// Centre of gravity of a solid, or of its faces.
-    centroid in Solid -> DVec3 {
+    centroid in Solid -> Vector {
         /// The solid.
-        s: GivenSolid,
+        s: RealSolid,
         /// What is heavy: the inside or the skin.
         of: MassOf = MassOf::Volume,
     }
@@ -21,6 +21,17 @@ op! {
     example "centroid(solid(cone((0, 0), 1, 0, 4), cap = true)) ~= (0, 0, 1)" => "true";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<DVec3> {
-    Ok(mass(&args.s, args.of, "centroid", ctx)?.centroid)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
+    let center = mass(args.s.plain(), args.of, "centroid", ctx)?.centroid;
+    let Some(varied) = args.s.varied() else { return Ok(Vector::Plain(center)) };
+    if args.of == MassOf::Area {
+        let message = "`centroid`: no derivative passes to that of the faces of a solid";
+        return Diagnostic::error(Code::NoDerivative, ctx.span, message)
+            .hint(CARRIES_DERIVATIVES)
+            .fail();
+    }
+    let along = |axis: DVec3| {
+        with_slopes(center.dot(axis), Some(varied.centroid_slopes(axis))).at(ctx.span)
+    };
+    Ok(Vector::new([along(DVec3::X)?, along(DVec3::Y)?, along(DVec3::Z)?]))
 }

@@ -1,10 +1,11 @@
 //! `volume` of a solid.
 
-use super::{GivenSolid, mass};
+use super::mass;
 use crate::{
     diag::Result,
+    kernel::VariedSolid,
     ops::measure::MassOf,
-    value::{Ctx, LengthPower, Volume, op},
+    value::{At, Ctx, LengthPower, Real, RealSolid, Volume, op, with_slopes},
 };
 
 op! {
@@ -12,13 +13,15 @@ op! {
     /// they are smooth.
     ///
     /// Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that allows.
-    volume in Solid -> Volume {
+    volume in Solid -> Volume<Real> {
         /// The solid.
-        s: GivenSolid,
+        s: RealSolid,
     }
     example "volume(solid(box((0, 0, 0), (1, 2, 3))))" => "6";
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume> {
-    Ok(LengthPower(mass(&args.s, MassOf::Volume, "volume", ctx)?.amount))
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
+    let volume = mass(args.s.plain(), MassOf::Volume, "volume", ctx)?.amount;
+    let slopes = args.s.varied().map(VariedSolid::volume_slopes);
+    with_slopes(volume, slopes).map(LengthPower).at(ctx.span)
 }

@@ -31,7 +31,7 @@ op! {
     example "coons(u = [line((0, 0), (2, 0)), line((0, 2), (2, 2, 1))], v = [line((0, 0), (0, 2)), line((2, 0), (2, 2, 1))]).points" => "[[(0, 0, 0), (0, 2, 0)], [(2, 0, 0), (2, 2, 1)]]";
     refuses "coons(u = [line((0, 0), (2, 0)), line((0, 3), (2, 3))], v = [line((0, 0), (0, 2)), line((2, 0), (2, 2))])" => "E0609: `u[1]` starts at (0, 3, 0), but `v[0]` ends at (0, 2, 0): 1 apart, more than the tolerance 1e-6";
     refuses "coons(u = [line((0, 0), (2, 0))], v = [line((0, 0), (0, 2)), line((2, 0), (2, 2))])" => "E0401: `u` takes two curves, found 1";
-    derivative affine;
+    derivative shape;
     scene r#"
         curves u = [bezier((0, 0, 0), (2, 0, 3), (4, 0, 0)), bezier((0, 4, 0), (2, 4, -2), (4, 4, 0))] with (color = "red")
         curves v = [bezier((0, 0, 0), (-1, 2, 1), (0, 4, 0)), line((4, 0, 0), (4, 4, 0))] with (color = "green")

@@ -28,7 +28,7 @@ op! {
     example "edge_surface([line((0, 0), (2, 0)), line((2, 0), (0, 2)), line((0, 2), (0, 0))])(0.3, 1)" => "(0, 2, 0)";
     refuses "edge_surface([line((0, 0), (1, 0)), line((1, 0), (1, 1)), line((3, 3), (4, 4))])" => "E0609: the edges do not close: `reversed(curves[2])` ends at (3, 3, 0), and `curves[0]`, the nearest to it, starts at (0, 0, 0), 4.24264 apart, more than the tolerance 1e-6";
     refuses "edge_surface([line((0, 0), (1, 0))])" => "E0401: a surface has two, three or four edges, found 1";
-    derivative affine;
+    derivative shape;
     scene r#"
         curves around = [bezier((0, 0, 0), (2, 0, 3), (4, 0, 0)), line((4, 4, 0), (0, 4, 0)), bezier((4, 0, 0), (5, 2, 2), (4, 4, 0)), line((0, 4), (0, 0))] with (color = "red")
         surface s = edge_surface(around) with (color = "lightgray")

@@ -22,7 +22,7 @@ op! {
     example "extrude(line((0, 0), (2, 0)), (0, 0, 3))(0.5, 1)" => "(1, 0, 3)";
     example "extrude(circle((0, 0), 2), (0, 0, 5)).rational" => "true";
     refuses "extrude(line((0, 0), (2, 0)), (0, 0, 0))" => "E0607: the vector has length zero, so that the curve stays where it is";
-    derivative affine;
+    derivative shape;
     picture "extrude(bezier((0, 0), (1, 3), (3, -2), (4, 1)), (0, 0, 3))";
 }
 

@@ -38,6 +38,7 @@ op! {
     refuses "interpolate([[(0, 0), (0, 1)], [(1, 0)]])" => "E0605: `interpolate`: `points`: row 1 has 1 point, row 0 has 2; every row needs the same number";
     refuses "interpolate([[(0, 0), (0, 1)], [(0, 0), (0, 1)]])" => "E0607: along u: points 0 and 1 are at one place";
     derivative affine;
+    settling super::moving::GRID;
     scene r#"
         let p = [for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]] with (hidden = true)
         surface s = interpolate(p) with (color = "lightgray")

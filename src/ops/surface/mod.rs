@@ -21,6 +21,7 @@ mod fit;
 mod gordon;
 mod interpolate;
 mod motion;
+mod moving;
 mod network;
 mod nurbs;
 mod parametric;

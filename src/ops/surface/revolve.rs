@@ -34,7 +34,7 @@ op! {
     example "revolve(line((1, 3), (2, 3)), about = (0, 3), angle = -90deg)(1, 0)" => "(0, 2, 0)";
     refuses "revolve(line((2, 0), (2, 0, 5)), angle = 400deg)" => "E0607: a turn by 400deg goes around more than once";
     refuses "revolve(line((0, 0, 0), (0, 0, 5)))" => "E0607: the curve lies on the axis, so that turning it makes no surface";
-    derivative affine;
+    derivative shape;
     picture "revolve(bezier((1, 0, 0), (4, 0, 2), (0, 0, 3), (1, 0, 5)))";
 }
 

@@ -22,7 +22,7 @@ op! {
     }
     example "ruled(line((0, 0), (1, 0)), line((0, 1), (1, 1, 1)))(0.5, 0.5)" => "(0.5, 0.5, 0.25)";
     example "ruled(line((0, 0), (0, 1)), nurbs([(1, 0), (1, 1)], weights = [3, 3], degree = 1))(0.5, 0.5)" => "(0.5, 0.5, 0)";
-    derivative affine;
+    derivative shape;
     picture "ruled(circle((0, 0, 0), 2), rotate(circle((0, 0, 4), 2), 90deg))";
 }
 

@@ -67,7 +67,8 @@ op! {
     refuses "skin([line((0, 0), (1, 0))])" => "E0401: a skin needs 2 sections or more, found 1";
     refuses "skin([line((0, 0), (1, 0)), (0, 1), line((0, 2), (1, 2))])" => "E0607: `(0, 1)` is a point; only the first and the last may be one";
     refuses "skin([line((0, 0), (1, 0)), line((0, 0), (1, 0)), line((0, 2), (1, 2))])" => "E0607: `sections[0]` and `sections[1]` are at one place";
-    derivative affine;
+    derivative shape;
+    settling super::moving::SKIN;
     scene r#"
         curves rings = [circle((0, 0, 0), 2), circle((0, 0, 2), 1), circle((0, 0, 4), 1.5), circle((0, 0, 6), 0.5)] with (color = "red")
         surface s = skin(rings) with (color = "lightgray")

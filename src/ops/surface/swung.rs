@@ -27,7 +27,7 @@ op! {
     example "swung(line((1, 0), (1, 0, 4)), line((1, 0), (0, 2)), scale = 3)(0, 1)" => "(0, 6, 0)";
     refuses "swung(line((1, 1), (2, 0, 4)), circle((0, 0), 1))" => "E0607: the profile must lie in the xz-plane, but at t = 0 its y is 1";
     refuses "swung(line((1, 0), (2, 0, 4)), circle((0, 0, 1), 1))" => "E0607: the trajectory must lie in the xy-plane, but at t = 0 its z is 1";
-    derivative affine;
+    derivative shape;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {

@@ -23,7 +23,7 @@ op! {
     example "transform((1, 2, 3), [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 2, 0]])" => "(8, 21, 6)";
     refuses "transform((1, 2, 3), [[1, 0, 0, 0], [0, 1, 0, 0]])" => "E0301: `transform`: `matrix` must be three rows of four numbers, found 2 rows";
     refuses "transform((1, 2, 3), [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 0]])" => "E0607: the transformation flattens space: its determinant is zero";
-    derivative affine;
+    derivative shape;
     scene r#"
         let letter = polyline((0, 0), (0, 3), (2, 3), (2, 2), (1, 2), (1, 0), closed = true) with (hidden = true)
         curve upright = letter with (color = "gray")

@@ -21,7 +21,7 @@ op! {
     }
     example "mirror((1, 2, 3), XY)" => "(1, 2, -3)";
     example "mirror((3, 0), plane((1, 0), (1, 0))) ~= (-1, 0)" => "true";
-    derivative affine;
+    derivative shape;
     scene r#"
         curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1))
         curve image = mirror(c, plane((0, -1), (0, 1))) with (color = "red")

@@ -8,7 +8,7 @@ use crate::{
     kernel::{GeomError, unit},
     value::{
         Angle, At, Ctx, FromValue, Geometry, IntoValue, Real, RealGeometry, Value, Vector, op,
-        through_affine, varies,
+        through_shape, varies,
     },
 };
 
@@ -58,7 +58,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealGeometry> {
     let [x, y, z] = columns.map(IntoValue::into_value);
     let parts = [args.g.0, x, y, z, origin.into_value()];
     // The result is linear in the map, and the map in the sine and cosine.
-    let moved = through_affine(&parts, &mut |parts| {
+    let moved = through_shape(&parts, &mut |parts| {
         let column = |value: &Value| DVec3::from_value(value, ctx.span).unwrap_or(DVec3::ZERO);
         let [g, x, y, z, origin] = parts else { return Ok(Value::None) };
         let [x, y, z] = [x, y, z].map(column);

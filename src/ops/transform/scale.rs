@@ -22,7 +22,7 @@ op! {
     example "scale((1, 2), 3)" => "(3, 6, 0)";
     example "scale((1, 2, 3), (1, 10, 100))" => "(1, 20, 300)";
     refuses "scale((1, 2), 0)" => "E0607: a factor of zero would flatten the geometry";
-    derivative affine;
+    derivative shape;
     picture "[for i in 1..4: scale(bezier((1, 0), (2, 2), (3, 0)), i/2)]";
 }
 

@@ -17,7 +17,7 @@ op! {
         v: DVec3,
     }
     example "translate((1, 2), (0, 0, 5))" => "(1, 2, 5)";
-    derivative affine;
+    derivative shape;
     picture "[for i in 0..3: translate(circle((0, 0), 1), (i, i/2, i))]";
 }
 

@@ -23,7 +23,7 @@ op! {
     example "elevate(bezier((0, 0), (3, 6), (6, 0)), 3).points" => "[(0, 0, 0), (2, 4, 0), (4, 4, 0), (6, 0, 0)]";
     refuses "elevate(bezier((0, 0), (1, 2), (2, 0)), 1)" => "E0604: degree 1 is below the degree 2 that it has";
     refuses "elevate(bezier((0, 0), (1, 2), (2, 0)), 200)" => "E0901: degree 200 is above 100, the highest that is allowed";
-    derivative affine;
+    derivative shape;
     picture "elevate(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 6)";
 }
 

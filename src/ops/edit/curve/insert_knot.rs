@@ -27,7 +27,7 @@ op! {
     example "insert_knot(bezier((0, 0), (2, 4), (4, 0)), 0.5, times = 2).knots" => "[0, 0, 0, 0.5, 0.5, 1, 1, 1]";
     refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "insert_knot(bezier((0, 0), (1, 2), (2, 0)), 0.5, times = 4)" => "E0602: knot 0.5 would stand 4 times; at degree 2 it stands 3 times at most";
-    derivative affine;
+    derivative shape;
     picture "insert_knot(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.5)";
 }
 

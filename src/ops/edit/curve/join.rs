@@ -24,7 +24,7 @@ op! {
     example "join(decompose(bezier((0, 0), (1, 2), (2, 0)))).points" => "[(0, 0, 0), (1, 2, 0), (2, 0, 0)]";
     refuses "join([line((0, 0), (1, 0)), line((2, 0), (3, 0))])" => "E0609: `curves[1]` starts 1 from where `curves[0]` ends, more than the tolerance 1e-6";
     refuses "join([line((0, 0), (1, 0)), line((2, 0), (1, 0))])" => "E0609: `curves[1]` starts 1 from where `curves[0]` ends, more than the tolerance 1e-6";
-    derivative affine;
+    derivative shape;
     scene r#"
         let parts = [bezier((0, 0), (1, 2), (2, 0)), bezier((2, 0), (3, -2), (4, 0))] with (hidden = true)
         curve c = join(parts)

@@ -22,7 +22,7 @@ op! {
     example "refine(line((0, 0), (4, 8)), [0.5, 0.25]).points" => "[(0, 0, 0), (1, 2, 0), (2, 4, 0), (4, 8, 0)]";
     example "refine(line((0, 0), (4, 8)), []).degree" => "1";
     refuses "refine(bezier((0, 0), (1, 2), (2, 0)), [0.5, 2])" => "E0606: parameter 2 is outside the domain 0..1";
-    derivative affine;
+    derivative shape;
     picture "refine(bezier((0, 0), (1, 3), (3, -2), (4, 1)), [0.25, 0.5, 0.75])";
 }
 

@@ -21,7 +21,7 @@ op! {
     example "reparametrize(line((0, 0), (2, 4)), 10..30)(15)" => "(0.5, 1, 0)";
     example "reparametrize(line((0, 0), (2, 4)), 0..length(line((0, 0), (3, 4)))).domain" => "0..5";
     refuses "reparametrize(bezier((0, 0), (1, 2), (2, 0)), 2..2)" => "E0606: `reparametrize`: `domain`: an interval needs its start below its end, got 2..2";
-    derivative affine;
+    derivative shape;
     scene r#"
         curve c = bezier((0, 0), (1, 2), (3, 2), (6, 0)) with (color = "gray")
         curve twice = reparametrize(translate(c, (0, -2)), 0..2)

@@ -17,7 +17,7 @@ op! {
     }
     example "reversed(line((0, 0), (2, 4)))(0.25)" => "(1.5, 3, 0)";
     example "reversed(polyline((0, 0), (3, 0), (3, 4))).domain" => "0..2";
-    derivative affine;
+    derivative shape;
     scene r#"
         curve c = bezier((0, 0), (1, 0), (3, 2), (6, 0)) with (color = "gray")
         curve back = reversed(translate(c, (0, -2)))

@@ -22,7 +22,7 @@ op! {
     example "split(line((0, 0), (4, 8)), 0.25)[1].domain" => "0.25..1";
     refuses "split(bezier((0, 0), (1, 2), (2, 0)), 0)" => "E0606: parameter 0 is an end of the domain 0..1; there is nothing to split";
     refuses "split(bezier((0, 0), (1, 2), (2, 0)), 2)" => "E0606: parameter 2 is outside the domain 0..1";
-    derivative affine;
+    derivative shape;
     scene r#"
         let parts = split(bezier((0, 0), (1, 3), (3, -2), (4, 1)), 0.4) with (hidden = true)
         curve left = parts[0]

@@ -22,7 +22,7 @@ op! {
     refuses "trim(bezier((0, 0), (1, 2), (2, 0)), 0.5..2)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "trim(bezier((0, 0), (1, 2), (2, 0)), 0.5..0.5)" => "E0606: `trim`: `range`: an interval needs its start below its end, got 0.5..0.5";
     refuses "trim(line((0, 0), (10, 0)), 0mm..0.5mm)" => "E0303: `trim`: `range` must be a range of plain numbers, found the range 0..0.5";
-    derivative affine;
+    derivative shape;
     scene r#"
         curve part = trim(c, 0.2..0.7) with (color = "red")
         curve c = bezier((0, 0), (1, 3), (3, -2), (4, 1)) with (color = "gray")

@@ -15,7 +15,7 @@ op! {
         s: Surface,
     }
     example "corners(bilinear((0, 0), (0, 1), (2, 0), (2, 1)))" => "[[(0, 0, 0), (0, 1, 0)], [(2, 0, 0), (2, 1, 0)]]";
-    derivative affine;
+    derivative shape;
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {

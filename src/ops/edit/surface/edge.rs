@@ -21,7 +21,7 @@ op! {
     example "edge(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), \"u1\").points" => "[(2, 0, 0), (2, 1, 0)]";
     example "edge(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), \"v0\").points" => "[(0, 0, 0), (2, 0, 0)]";
     refuses "edge(plane_patch((0, 0), (1, 0), (0, 1)), \"top\")" => "E0402: `edge`: `side` must be one of \"u0\", \"u1\", \"v0\" or \"v1\", found the string \"top\"";
-    derivative affine;
+    derivative shape;
     scene r#"
         curve side = edge(s, "u1") with (color = "red")
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")

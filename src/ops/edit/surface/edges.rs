@@ -14,7 +14,7 @@ op! {
         s: Surface,
     }
     example "[for e in edges(bilinear((0, 0), (0, 1), (2, 0), (2, 1))): e.end]" => "[(0, 1, 0), (2, 1, 0), (2, 0, 0), (2, 1, 0)]";
-    derivative affine;
+    derivative shape;
     scene r#"
         curves sides = edges(s) with (color = "red")
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")

@@ -27,7 +27,7 @@ op! {
     example "elevate(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 3, v = 2).degree_v" => "2";
     refuses "elevate(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
     refuses "elevate(plane_patch((0, 0), (1, 0), (0, 1)), u = 0)" => "E0604: degree 0 along u is below the degree 1 that it has";
-    derivative affine;
+    derivative shape;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         curves net = control_net(elevate(s, u = 4)) with (color = "red")

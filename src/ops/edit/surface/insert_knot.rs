@@ -30,7 +30,7 @@ op! {
     refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
     refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)), u = 2)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "insert_knot(plane_patch((0, 0), (1, 0), (0, 1)), u = 0.5, v = 0.5)" => "E0401: one of `u` and `v` is wanted, found both";
-    derivative affine;
+    derivative shape;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         curves net = control_net(insert_knot(s, u = 0.5)) with (color = "red")

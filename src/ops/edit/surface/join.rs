@@ -26,7 +26,7 @@ op! {
     example "join(decompose(clamped([for i in 0..4: [for j in 0..4: (i, j, if i == 2 then 1 else 0)]]))).knots_u" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
     refuses "join([[plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((2, 0), (1, 0), (0, 1))]])" => "E0609: `patches[0][1]` begins 2.236 from where `patches[0][0]` ends along v, more than the tolerance 1e-6";
     refuses "join([[plane_patch((0, 0), (1, 0), (0, 1))]])" => "E0401: 2 patches or more are needed, found 1";
-    derivative affine;
+    derivative shape;
     scene r#"
         let a = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (hidden = true)
         let b = continue_bezier(a, "u1", 1, [[(8, 0, 1), (8, 2, 2), (8, 4, 1)]]) with (hidden = true)

@@ -26,7 +26,7 @@ op! {
     example "refine(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = [0.5], v = [0.25, 0.75]).patches" => "[2, 3]";
     refuses "refine(plane_patch((0, 0), (1, 0), (0, 1)), u = [2])" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "refine(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
-    derivative affine;
+    derivative shape;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 2), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         curves net = control_net(refine(s, u = [0.25, 0.5, 0.75])) with (color = "red")

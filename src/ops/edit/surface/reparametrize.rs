@@ -24,7 +24,7 @@ op! {
     example "reparametrize(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0..4)(1, 1)" => "(0.5, 1, 0)";
     refuses "reparametrize(plane_patch((0, 0), (1, 0), (0, 1)), u = 2..2)" => "E0606: `reparametrize`: `u`: an interval needs its start below its end, got 2..2";
     refuses "reparametrize(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
-    derivative affine;
+    derivative shape;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         surface longer = reparametrize(translate(s, (6, -2)), u = 0..4) with (color = "lightgray")

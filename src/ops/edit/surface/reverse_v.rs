@@ -16,7 +16,7 @@ op! {
         s: Surface,
     }
     example "reverse_v(bilinear((0, 0), (0, 1), (2, 0), (2, 1)))(0, 0)" => "(0, 1, 0)";
-    derivative affine;
+    derivative shape;
     scene r#"
         surface s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (color = "lightgray")
         surface t = translate(reverse_v(s), (6, -2)) with (color = "lightgray")

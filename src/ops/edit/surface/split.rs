@@ -25,7 +25,7 @@ op! {
     refuses "split(plane_patch((0, 0), (1, 0), (0, 1)), u = 0)" => "E0606: parameter 0 is an end of the domain 0..1; there is nothing to split";
     refuses "split(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
     refuses "split(plane_patch((0, 0), (1, 0), (0, 1)), u = 0.5, v = 0.5)" => "E0401: one of `u` and `v` is wanted, found both";
-    derivative affine;
+    derivative shape;
     scene r#"
         let parts = split(bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]), u = 0.5) with (hidden = true)
         surface left = parts[0]

@@ -24,7 +24,7 @@ op! {
     example "trim(bilinear((0, 0), (0, 1), (2, 0), (2, 1)), u = 0.5..1, v = 0..0.25).domain_v" => "0..0.25";
     refuses "trim(plane_patch((0, 0), (1, 0), (0, 1)), u = 0.5..2)" => "E0606: parameter 2 is outside the domain 0..1";
     refuses "trim(plane_patch((0, 0), (1, 0), (0, 1)))" => "E0401: neither `u` nor `v` is given";
-    derivative affine;
+    derivative shape;
     scene r#"
         let s = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (hidden = true)
         curves whole = wireframe(s, 5, 5) with (color = "gray")

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::varying;
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, CurveIntersection},
+    kernel::{CurveIntersection, Side},
     ops::{face::SurfaceOrFace, measure::picture},
-    value::{At, Ctx, FromValue, Mismatch, Record, Type, Value, op},
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, Real, RealCurve, Record, Type, Value, op},
 };
 
 op! {
@@ -19,16 +20,19 @@ op! {
     /// both sides. Curves that share a stretch are an error that tells which.
     /// A parametric curve is searched as the spline that `length` tells of; each place is then found
     /// on the function itself.
+    /// Where two curves cross clearly, inside of both, derivatives pass through; of what moves out of the plane of both
+    /// tangents there is none in `t` and `s`.
     /// Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
     intersect in Measure -> Vec<Record> {
         /// One curve.
-        a: Curve,
+        a: RealCurve,
         /// The other, or a surface or face.
         b: CurvePartner,
     }
     example "intersect(line((0, 0), (4, 4)), line((0, 2), (4, 2)))" => "[{t: 0.5, s: 0.5, point: (2, 2, 0)}]";
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";
     example "intersect(line((0, 0, -1), (0, 0, 3)), plane_patch((-1, -1), (2, 0), (0, 2)))" => "[{t: 0.25, u: 0.5, v: 0.5, point: (0, 0, 0)}]";
+    example "gradient(h => intersect(line((0, 0), (4, 4)), line((0, h), (4, h)))[0].t, 2) ~= 1/4" => "true";
     refuses "intersect(line((0, 0), (4, 0)), line((1, 0), (3, 0)))" => "E0607: the curves run together from parameter 0.25 to 0.75 of the first";
     scene r#"
         curve a = bezier((0, 0), (1, 3), (3, -2), (4, 1))
@@ -40,7 +44,7 @@ op! {
 /// What a curve meets.
 #[derive(Clone)]
 enum CurvePartner {
-    Curve(Curve),
+    Curve(RealCurve),
     Surface(SurfaceOrFace),
 }
 
@@ -49,7 +53,9 @@ impl FromValue for CurvePartner {
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
+            Value::Curve(_) | Value::JetCurve(_) => {
+                RealCurve::from_value(value, span).map(Self::Curve)
+            }
             Value::Surface(_) | Value::Face(_) => {
                 SurfaceOrFace::from_value(value, span).map(Self::Surface)
             }
@@ -61,10 +67,33 @@ impl FromValue for CurvePartner {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {
     let other = match &args.b {
         CurvePartner::Curve(curve) => curve,
+        CurvePartner::Surface(_) if args.a.varied().is_some() => {
+            return varying::no_derivative("`intersect` with a surface", ctx.span);
+        }
         CurvePartner::Surface(surface) => return picture::pierced(ctx, &args.a, surface),
     };
     let meetings = args.a.intersections(other, ctx.tolerance.distance).at(ctx.span)?;
-    Ok(meetings.into_iter().map(record).collect())
+    meetings
+        .into_iter()
+        .map(|meeting| varying_record([&args.a, other], meeting, ctx.span))
+        .collect()
+}
+
+/// A meeting, with its derivatives where one of the curves varies.
+fn varying_record(
+    curves: [&RealCurve; 2],
+    meeting: CurveIntersection,
+    span: Span,
+) -> Result<Record> {
+    let Some([t, s]) = varying::meeting(curves, [meeting.first, meeting.second]).at(span)? else {
+        return Ok(record(meeting));
+    };
+    let point = curves[0].series_beside(&t, Side::Right, 0).at(span)?.remove(0);
+    Ok(Record::new([
+        (Arc::from("t"), Real::Jet(t).into_value()),
+        (Arc::from("s"), Real::Jet(s).into_value()),
+        (Arc::from("point"), point.with_value(meeting.point).into_value()),
+    ]))
 }
 
 /// A meeting as scripts see it.

@@ -9,10 +9,10 @@
 use glam::DVec3;
 
 use crate::{
-    diag::{Result, Spanned},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Curve, GeomError, Interval, Jet, LocalError, Side, tolerance::LAST_BIT},
     ops::measure::Measured,
-    value::{At, Real, RealCurve, Vector},
+    value::{At, CARRIES_DERIVATIVES, Real, RealCurve, Vector},
 };
 
 /// A parameter of a curve, inside its domain.
@@ -209,4 +209,52 @@ pub(super) fn closest(curve: &RealCurve, p: &Vector, t: f64) -> Measured<Real> {
         found = found.minus(&slope.scaled(1.0 / bend)).with_value(t);
     }
     Ok(Real::Jet(found))
+}
+
+/// The parameters at which two curves cross where one of them varies, which are `place` at their values: where C − D
+/// vanishes in the plane of both tangents.
+pub(super) fn meeting(curves: [&RealCurve; 2], place: [f64; 2]) -> Measured<Option<[Jet; 2]>> {
+    let jets =
+        [curves[0].jet_of(&Real::Plain(place[0]))?, curves[1].jet_of(&Real::Plain(place[1]))?];
+    let Some(like) = jets.into_iter().flatten().next() else { return Ok(None) };
+    let [a, b] = [0, 1].map(|k| tangent_inside(curves[k], place[k]));
+    let (a, b) = (a?, b?);
+    let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
+    let apart = aa * bb - ab * ab;
+    if apart <= LAST_BIT.sqrt() * aa * bb {
+        return Err(no_crossing(place[0]));
+    }
+    let mut found = place.map(|t| like.same(t));
+    for _ in 0..like.order() {
+        let c = curves[0].series_beside(&found[0], Side::Right, 0)?.remove(0);
+        let d = curves[1].series_beside(&found[1], Side::Right, 0)?.remove(0);
+        let gap = c.minus(&d);
+        let along = |axis: DVec3| gap.dot(&Vector::Plain(axis)).like(&like);
+        let steps = [(a * bb - b * ab) / apart, (a * ab - b * aa) / apart];
+        for (k, step) in steps.into_iter().enumerate() {
+            found[k] = found[k].minus(&along(step)).with_value(place[k]);
+        }
+    }
+    Ok(Some(found))
+}
+
+/// The derivative at a place inside of a curve where it has no corner.
+fn tangent_inside(curve: &RealCurve, t: f64) -> Measured<DVec3> {
+    let domain = curve.domain();
+    let [before, behind] =
+        [Side::Left, Side::Right].map(|side| curve.derivatives_beside(t, side, 1));
+    let (before, behind) = (before?[1], behind?[1]);
+    let is_inside = domain.start() < t && t < domain.end();
+    let is_smooth = before.distance(behind) <= LAST_BIT.sqrt() * before.length();
+    if is_inside && is_smooth { Ok(behind) } else { Err(no_crossing(t)) }
+}
+
+fn no_crossing(at: f64) -> GeomError {
+    LocalError::NotDifferentiable { what: "the place where the curves meet", at }.into()
+}
+
+/// Fails: no derivative passes through what is named.
+pub(super) fn no_derivative<T>(what: &str, span: Span) -> Result<T> {
+    let message = format!("{what}: no derivative passes through here, and derivatives are wanted");
+    Diagnostic::error(Code::NoDerivative, span, message).hint(CARRIES_DERIVATIVES).fail()
 }

@@ -40,7 +40,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         MassOf::Volume => Some(varying_volume(surfaces, *span, "inertia", ctx)?),
     };
     // As the centroid moves the second moments about it stay, since the first ones are zero.
-    let mut second = |d: DVec3, e: DVec3| {
+    let second = |d: DVec3, e: DVec3| {
         let slopes = |idx: usize, varied: &VariedSurface| match &volume {
             None => varied.area_second_moment_slopes(mass.centroid, [d, e]),
             Some(volume) => {
@@ -52,6 +52,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         };
         surfaces.with_slopes(0.0, "inertia", ctx, slopes)
     };
+    varying_inertia(mass.inertia, second, args.of, *span)
+}
+
+/// An inertia that varies, by the slopes of second moments about the centroid along two directions.
+pub(in crate::ops) fn varying_inertia(
+    tensor: DMat3,
+    mut second: impl FnMut(DVec3, DVec3) -> Result<Real>,
+    of: MassOf,
+    span: Span,
+) -> Result<Record> {
     let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z];
     let [xx, yy, zz] = [second(x, x)?, second(y, y)?, second(z, z)?];
     let [xy, xz, yz] = [second(x, y)?, second(x, z)?, second(y, z)?].map(|part| part.scaled(-1.0));
@@ -60,7 +70,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         [xy, xx.plus(&zz), yz.clone()],
         [xz, yz, xx.plus(&yy)],
     ];
-    varying_told(mass.inertia, &slopes, args.of, *span)
+    varying_told(tensor, &slopes, of, span)
 }
 
 /// A tensor that varies with its principal moments and axes. Magnus, *On differentiating eigenvalues and

@@ -1,0 +1,236 @@
+//! Surfaces whose lines are splines through points or sections, where the parameters of these move.
+
+use glam::{DVec3, DVec4};
+
+use super::{
+    Ends, Interpolator, Parametrization,
+    moving::{MovingSpline, SplineSpeeds},
+};
+use crate::{
+    Direction, GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters,
+    VariedSurface,
+    tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
+    varied::knots::{simple_inner, with_knots_twice},
+};
+
+impl VariedSurface {
+    /// The surface whose lines along a direction are the splines that [`Interpolator::new`] makes of a degree and
+    /// ends at parameters, where these move too: on knots that do not move. None where the lines are others or have no slopes.
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    pub fn with_moving_parameters(
+        &self,
+        along: Direction,
+        (degree, ends): (usize, Ends),
+        parameters: &[f64],
+        speeds: &[(usize, Vec<f64>)],
+    ) -> Result<Option<Self>, GeomError> {
+        let surface = self.surface();
+        let fit = Interpolator::new(parameters, degree, ends)?;
+        let knots = match along {
+            Direction::U => surface.knots_u(),
+            Direction::V => surface.knots_v(),
+        };
+        if fit.knots() != knots {
+            return Ok(None);
+        }
+        let net = surface.control_points();
+        let n_variables = self.slopes().n_variables();
+        let lines = lines_of(net.as_slice(), net, along);
+        let Some(moving) = moving_lines((&fit, ends), parameters, &lines, speeds)? else {
+            return Ok(None);
+        };
+        let mut by_variable = Vec::new();
+        for variable in 0..n_variables {
+            let own = self.slopes().by_variable().iter().find(|(idx, _)| *idx == variable);
+            let own = own.map(|(_, slopes)| with_knots_twice(knots, lines_of(slopes, net, along)));
+            let moved =
+                speeds.iter().position(|(idx, _)| *idx == variable).map(|idx| moving[idx].clone());
+            let all = match (own.transpose()?, moved) {
+                (Some(own), Some(moved)) => {
+                    own.iter().zip(&moved).map(|(a, b)| sum(a, b)).collect()
+                }
+                (Some(lines), None) | (None, Some(lines)) => lines,
+                (None, None) => continue,
+            };
+            by_variable.push((variable, net_of(&all, along)?.as_slice().to_vec()));
+        }
+        let net = net_of(&with_knots_twice(knots, lines)?, along)?;
+        let twice = knots.with(simple_inner(knots).unwrap_or(&[]));
+        let [u, v] = match along {
+            Direction::U => [twice, surface.knots_v().clone()],
+            Direction::V => [surface.knots_u().clone(), twice],
+        };
+        let slopes = PointSlopes::new(n_variables, net.as_slice().len(), by_variable)?;
+        let fixed = NurbsSurface::new(u, v, net)?;
+        Self::new(fixed.into(), slopes).map(Some)
+    }
+
+    /// A skin that is made of sections at fixed parameters, as one whose parameters a rule finds and that move with the
+    /// sections; none where the rule finds others, or no slopes are known.
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    pub fn with_moving_sections(
+        &self,
+        rule: SectionParameters,
+        degree: usize,
+        parameters: &[f64],
+    ) -> Result<Option<Self>, GeomError> {
+        let (knots, net) = (self.surface().knots_v(), self.surface().control_points());
+        let sections = |points: &[DVec4]| -> Vec<Vec<DVec4>> {
+            let at = |line: &Vec<DVec4>| {
+                parameters.iter().map(|&t| homogeneous_at(knots, line, t)).collect()
+            };
+            lines_of(points, net, Direction::V).iter().map(at).collect()
+        };
+        let lines = sections(net.as_slice());
+        let mut speeds = Vec::new();
+        for (variable, slopes) in self.slopes().by_variable() {
+            let Some((found, own)) = section_speeds(rule, &lines, &sections(slopes)) else {
+                return Ok(None);
+            };
+            let is_same =
+                found.iter().zip(parameters).all(|(a, b)| (a - b).abs() <= EXACT_RELATIVE);
+            if found.len() != parameters.len() || !is_same {
+                return Ok(None);
+            }
+            speeds.push((*variable, own));
+        }
+        self.with_moving_parameters(Direction::V, (degree, Ends::Averaged), parameters, &speeds)
+    }
+}
+
+/// What lines do where the parameters of their points move: for each of the speeds, control points for each line. None where
+/// they are not the splines through these points, or have no slopes.
+fn moving_lines(
+    (fit, ends): (&Interpolator, Ends),
+    parameters: &[f64],
+    lines: &[Vec<DVec4>],
+    speeds: &[(usize, Vec<f64>)],
+) -> Result<Option<Vec<Vec<Vec<DVec4>>>>, GeomError> {
+    let mut moving = vec![Vec::new(); speeds.len()];
+    for line in lines {
+        let values: Vec<DVec4> =
+            parameters.iter().map(|&t| homogeneous_at(fit.knots(), line, t)).collect();
+        let tangents = [DVec4::ZERO; 2];
+        let spline = MovingSpline::new((fit, ends), parameters, &values, tangents)?;
+        let Some(spline) = spline.filter(|spline| are_near(spline.points(), line)) else {
+            return Ok(None);
+        };
+        let values = vec![DVec4::ZERO; values.len()];
+        for (found, (_, speeds)) in moving.iter_mut().zip(speeds) {
+            GeomError::go_on(1)?;
+            let speeds = SplineSpeeds { parameters: speeds, values: &values, tangents };
+            found.push(spline.slopes(&speeds)?);
+        }
+    }
+    Ok(Some(moving))
+}
+
+/// The parameters of sections and how fast they move, from lines of their control points and the speeds of these; none
+/// where a point of a line comes to its neighbour.
+fn section_speeds(
+    rule: SectionParameters,
+    lines: &[Vec<DVec4>],
+    slopes: &[Vec<DVec4>],
+) -> Option<(Vec<f64>, Vec<f64>)> {
+    let step = |line: &[DVec4], slope: &[DVec4], k: usize| -> Option<[f64; 2]> {
+        let (leg, growth) = (line[k + 1] - line[k], slope[k + 1] - slope[k]);
+        let (length, along) = (leg.length(), leg.dot(growth));
+        match rule {
+            SectionParameters::Uniform => Some([1.0, 0.0]),
+            _ if length <= 0.0 && growth.length() <= 0.0 => Some([0.0; 2]),
+            _ if length <= 0.0 => None,
+            SectionParameters::Average => Some([length, along / length]),
+            SectionParameters::Centripetal => {
+                let root = length.sqrt();
+                Some([root, along / (2.0 * length * root)])
+            }
+        }
+    };
+    let n_steps = lines.first()?.len() - 1;
+    let mut all: Vec<Vec<[f64; 2]>> = Vec::new();
+    for (line, slope) in lines.iter().zip(slopes) {
+        all.push((0..n_steps).map(|k| step(line, slope, k)).collect::<Option<_>>()?);
+    }
+    let whole =
+        |steps: &Vec<[f64; 2]>| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    let wholes: Vec<[f64; 2]> = all.iter().map(whole).collect();
+    let longest = wholes.iter().map(|whole| whole[0]).fold(0.0, f64::max);
+    let (mut found, mut speeds) = (vec![0.0], vec![0.0]);
+    for k in 0..n_steps {
+        let (mut mean, mut speed, mut n) = (0.0, 0.0, 0.0);
+        for (steps, [length, growth]) in all.iter().zip(&wholes) {
+            if VANISHING_RELATIVE * longest < *length {
+                let share = steps[k][0] / length;
+                mean += share;
+                speed += (steps[k][1] - share * growth) / length;
+                n += 1.0;
+            }
+        }
+        found.push(found[k] + mean / n);
+        speeds.push(speeds[k] + speed / n);
+    }
+    speeds[n_steps] = 0.0;
+    Some((found, speeds))
+}
+
+impl Parametrization {
+    /// How fast the means of the parameters of rows of points move with these: by each variable. None by
+    /// [`Parametrization::Foley`], and where points of a row are at one place.
+    ///
+    /// # Errors
+    /// As for [`Self::mean_parameters`].
+    pub fn mean_speeds(
+        self,
+        rows: &Grid<DVec3>,
+        slopes: &[(usize, Grid<DVec3>)],
+    ) -> Result<Option<Vec<(usize, Vec<f64>)>>, GeomError> {
+        let n = rows.n_rows() as f64;
+        let mut all = Vec::new();
+        for (variable, slopes) in slopes {
+            let mut sums = vec![0.0; rows.n_columns()];
+            for i in 0..rows.n_rows() {
+                let row = rows.row(i);
+                let parameters = self.parameters(row)?;
+                let own: Vec<DVec4> = slopes.row(i).iter().map(|slope| slope.extend(0.0)).collect();
+                let Some(speeds) = self.speeds(row, &parameters, &own) else { return Ok(None) };
+                sums.iter_mut().zip(speeds).for_each(|(sum, speed)| *sum += speed / n);
+            }
+            all.push((*variable, sums));
+        }
+        Ok(Some(all))
+    }
+}
+
+/// Rows or columns of a net, or of slopes in its order.
+fn lines_of(points: &[DVec4], net: &Grid<DVec4>, along: Direction) -> Vec<Vec<DVec4>> {
+    let n = net.n_columns();
+    match along {
+        Direction::V => points.chunks_exact(n).map(<[DVec4]>::to_vec).collect(),
+        Direction::U => (0..n).map(|j| points[j..].iter().step_by(n).copied().collect()).collect(),
+    }
+}
+
+fn net_of(lines: &[Vec<DVec4>], along: Direction) -> Result<Grid<DVec4>, GeomError> {
+    let grid = Grid::from_rows(lines.to_vec())?;
+    Ok(if along == Direction::U { grid.transposed() } else { grid })
+}
+
+fn homogeneous_at(knots: &KnotVector, line: &[DVec4], t: f64) -> DVec4 {
+    knots.with_basis(t, |span, values| {
+        line[knots.support(span)].iter().zip(values).map(|(&point, &n)| point * n).sum()
+    })
+}
+
+fn sum(a: &[DVec4], b: &[DVec4]) -> Vec<DVec4> {
+    a.iter().zip(b).map(|(a, b)| a + b).collect()
+}
+
+fn are_near(a: &[DVec4], b: &[DVec4]) -> bool {
+    let size = b.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
+    let pairs = a.iter().zip(b);
+    pairs.map(|(a, b)| (a - b).abs().max_element()).fold(0.0, f64::max) <= EXACT_RELATIVE * size
+}

@@ -1,0 +1,161 @@
+//! Solids that varying regions pass where they are moved or turned.
+
+use std::{f64::consts::TAU, sync::Arc};
+
+use glam::DVec3;
+
+use super::VariedRegion;
+use crate::{Axis, GeomError, LocalError, Solid, tolerance::KNOT_RELATIVE};
+
+/// A solid that a varying region makes.
+#[derive(Clone, Debug)]
+pub struct VariedSolid {
+    solid: Arc<Solid>,
+    region: Arc<VariedRegion>,
+    way: RegionWay,
+}
+
+/// Where a region goes.
+#[derive(Clone, Debug)]
+pub enum RegionWay {
+    /// Along a vector, with its slopes by each variable.
+    Along(DVec3, Vec<DVec3>),
+    /// About an axis in its plane by an angle, with its slopes by each variable.
+    About(Axis, f64, Vec<f64>),
+}
+
+impl VariedSolid {
+    /// The solid that a region makes on its way.
+    ///
+    /// The volume of a cylinder of radius 1 grows by π with its height:
+    ///
+    /// ```
+    /// use std::{f64::consts::TAU, sync::Arc};
+    /// use virote_kernel::{
+    ///     CircleForm, Frame, NurbsCurve, PointSlopes, Region, RegionWay, Solid, Tolerance, VariedCurve,
+    ///     VariedRegion, VariedSolid, glam::DVec3,
+    /// };
+    ///
+    /// let circle = NurbsCurve::ellipse(Frame::XY, [1.0, 1.0], CircleForm::NinePoint)?;
+    /// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
+    /// let solid = Solid::extruded(&disc, DVec3::Z, Tolerance::DEFAULT)?;
+    /// let border = VariedCurve::new(circle.into(), PointSlopes::new(1, 9, Vec::new())?)?;
+    /// let region = VariedRegion::new(Arc::new(disc), vec![vec![border]])?;
+    /// let way = RegionWay::Along(DVec3::Z, vec![DVec3::Z]);
+    /// let varied = VariedSolid::new(solid.into(), region.into(), way);
+    /// assert!((varied.volume_slopes()?[0] - std::f64::consts::PI).abs() < 1e-13);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    #[must_use]
+    pub fn new(solid: Arc<Solid>, region: Arc<VariedRegion>, way: RegionWay) -> Self {
+        Self { solid, region, way }
+    }
+
+    /// The solid itself.
+    #[must_use]
+    pub fn solid(&self) -> &Arc<Solid> {
+        &self.solid
+    }
+
+    /// How many variables there are.
+    #[must_use]
+    pub fn n_variables(&self) -> usize {
+        match &self.way {
+            RegionWay::Along(_, slopes) => slopes.len(),
+            RegionWay::About(_, _, slopes) => slopes.len(),
+        }
+    }
+
+    /// The slopes of the volume: the area as a vector times the way, and by Pappus and Guldin the angle
+    /// times the moment about the axis.
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    pub fn volume_slopes(&self) -> Result<Vec<f64>, GeomError> {
+        let (region, normal) = (&self.region, self.region.normal());
+        let area = region.region().area();
+        match &self.way {
+            RegionWay::Along(way, slopes) => {
+                let sense = way.dot(normal).signum();
+                let by_region = region.flux_slopes(*way * sense)?;
+                Ok(sums(&by_region, slopes, |slope: &DVec3| area * sense * slope.dot(normal)))
+            }
+            RegionWay::About(_, angle, slopes) if is_full(*angle) && !is_fixed(slopes) => {
+                Err(none("the volume of a full turn", *angle))
+            }
+            RegionWay::About(axis, angle, slopes) => {
+                let across = self.across(*axis);
+                let distance = |point: DVec3| (point - axis.foot()).dot(across);
+                let moment = area * distance(region.region().mass().centroid);
+                let by_region = region.moment_slopes(|point| angle.abs() * distance(point))?;
+                Ok(sums(&by_region, slopes, |slope| angle.signum() * slope * moment))
+            }
+        }
+    }
+
+    /// The slopes of the centre of gravity of the inside along a direction, from the volume.
+    ///
+    /// # Errors
+    /// [`LocalError::NotDifferentiable`] short of a full turn; where the work is ended.
+    pub fn centroid_slopes(&self, along: DVec3) -> Result<Vec<f64>, GeomError> {
+        match &self.way {
+            RegionWay::Along(_, slopes) => {
+                let by_region = self.region.centroid_slopes(along)?;
+                Ok(sums(&by_region, slopes, |slope: &DVec3| 0.5 * slope.dot(along)))
+            }
+            RegionWay::About(axis, angle, _) if is_full(*angle) => {
+                let mass = self.solid.volume_mass()?;
+                let (across, share) = (self.across(*axis), along.dot(axis.direction()));
+                let weight = |point: DVec3| {
+                    let height = (point - mass.centroid).dot(axis.direction());
+                    angle.abs() * (point - axis.foot()).dot(across) * height * share / mass.amount
+                };
+                self.region.moment_slopes(weight)
+            }
+            RegionWay::About(_, angle, _) => Err(none("the centroid of a part of a turn", *angle)),
+        }
+    }
+
+    /// The slopes of the area of its faces: twice that of the region, and what its borders pass.
+    ///
+    /// # Errors
+    /// [`LocalError::NotDifferentiable`] where the region turns about an axis; where the work is ended.
+    pub fn area_slopes(&self) -> Result<Vec<f64>, GeomError> {
+        match &self.way {
+            RegionWay::Along(way, slopes) => {
+                let ends = self.region.area_slopes()?;
+                let sides = self.region.side_slopes(*way)?;
+                let by_way = self.region.side_gradient(*way)?;
+                let by_region: Vec<f64> =
+                    ends.iter().zip(sides).map(|(ends, sides)| 2.0 * ends + sides).collect();
+                Ok(sums(&by_region, slopes, |slope: &DVec3| slope.dot(by_way)))
+            }
+            RegionWay::About(_, angle, _) => Err(none("the area of what turns", *angle)),
+        }
+    }
+
+    /// The direction in the plane of the region from an axis to it.
+    fn across(&self, axis: Axis) -> DVec3 {
+        let across = self.region.normal().cross(axis.direction()).normalize_or_zero();
+        let side = (self.region.region().mass().centroid - axis.foot()).dot(across);
+        if side < 0.0 { -across } else { across }
+    }
+}
+
+/// Each sum of a slope by the region and what `part` makes of one of the way.
+fn sums<S>(by_region: &[f64], slopes: &[S], part: impl Fn(&S) -> f64) -> Vec<f64> {
+    by_region.iter().zip(slopes).map(|(own, slope)| own + part(slope)).collect()
+}
+
+/// Whether an angle is a full turn, as [`Solid::revolved`] takes it.
+fn is_full(angle: f64) -> bool {
+    TAU * (1.0 - KNOT_RELATIVE) <= angle.abs()
+}
+
+fn is_fixed(slopes: &[f64]) -> bool {
+    slopes.iter().all(|slope| slope.abs() <= 0.0)
+}
+
+fn none(what: &'static str, at: f64) -> GeomError {
+    LocalError::NotDifferentiable { what, at }.into()
+}

@@ -1,0 +1,97 @@
+//! Derivatives of surfaces whose parameters a rule finds: they move with the points or sections.
+//!
+//! With the parameters listed the surface grows evenly with what it is made of; what it does when the
+//! parameters move comes on top.
+
+use glam::DVec3;
+
+use super::PerDirection;
+use crate::{
+    diag::Span,
+    kernel::{Direction, Ends, GeomError, Grid, Parametrization, SectionParameters, VariedSurface},
+    ops::curve::fit::moves_knots,
+    value::{Call, FromValue, Settling, Value, Vector},
+};
+
+/// Of a skin by a rule.
+pub(super) static SKIN: Settling =
+    Settling { parameter: "parameters", applies: is_skin_by_rule, moving: moving_skin };
+
+/// Of a surface through a grid of points by a rule.
+pub(super) static GRID: Settling =
+    Settling { parameter: "parameters", applies: is_grid_by_rule, moving: moving_grid };
+
+fn has_only(call: &Call, names: &[&str]) -> bool {
+    call.named.iter().all(|(name, _)| names.contains(&&*name.value))
+}
+
+/// An argument that has a name; its default where it is left out, none where it is something else.
+fn named<T: FromValue>(call: &Call, name: &str, default: T) -> Option<T> {
+    match call.named.iter().find(|(own, _)| &*own.value == name) {
+        None => Some(default),
+        Some((_, given)) => T::from_value(&given.value, given.span).ok(),
+    }
+}
+
+fn is_skin_by_rule(call: &Call) -> bool {
+    let rule = named(call, "parameters", SectionParameters::Average);
+    rule.is_some_and(|rule| rule != SectionParameters::Uniform)
+        && has_only(call, &["sections", "degree", "parameters", "align"])
+}
+
+fn moving_skin(
+    call: &Call,
+    fixed: &VariedSurface,
+    parameters: &Value,
+) -> Result<Option<VariedSurface>, GeomError> {
+    let rule = named(call, "parameters", SectionParameters::Average);
+    let degree = named(call, "degree", 3_usize);
+    let listed = Vec::<f64>::from_value(parameters, Span::default());
+    let (Some(rule), Some(degree), Ok(listed)) = (rule, degree, listed) else { return Ok(None) };
+    fixed.with_moving_sections(rule, degree, &listed)
+}
+
+fn is_grid_by_rule(call: &Call) -> bool {
+    moves_knots(call) && has_only(call, &["points", "degree", "parameters", "ends"])
+}
+
+fn moving_grid(
+    call: &Call,
+    fixed: &VariedSurface,
+    parameters: &Value,
+) -> Result<Option<VariedSurface>, GeomError> {
+    let points = call.positional.first().map(|given| &given.value);
+    let points = points.or_else(|| {
+        let named = call.named.iter().find(|(name, _)| &*name.value == "points");
+        named.map(|(_, given)| &given.value)
+    });
+    let rows =
+        points.and_then(|points| Vec::<Vec<Vector>>::from_value(points, Span::default()).ok());
+    let rule = named(call, "parameters", Parametrization::Chord);
+    let degree = named(call, "degree", PerDirection { u: 3_usize, v: 3 });
+    let ends = named(call, "ends", PerDirection { u: Ends::Bessel, v: Ends::Bessel });
+    let places = PerDirection::<Vec<f64>>::from_value(parameters, Span::default());
+    let (Some(rows), Some(rule), Some(degree), Some(ends), Ok(places)) =
+        (rows, rule, degree, ends, places)
+    else {
+        return Ok(None);
+    };
+    let grid = Grid::from_rows(rows)?;
+    let slope = |vector: &Vector, variable: usize| match vector {
+        Vector::Jets(jets) => DVec3::from(jets.each_ref().map(|jet| jet.slopes()[variable])),
+        Vector::Plain(_) => DVec3::ZERO,
+    };
+    let slopes: Vec<(usize, Grid<DVec3>)> = (0..fixed.slopes().n_variables())
+        .map(|variable| (variable, grid.map(|vector| slope(vector, variable))))
+        .collect();
+    let turned: Vec<(usize, Grid<DVec3>)> =
+        slopes.iter().map(|(variable, slopes)| (*variable, slopes.transposed())).collect();
+    let points = grid.map(Vector::value);
+    let Some(speeds) = rule.mean_speeds(&points.transposed(), &turned)? else { return Ok(None) };
+    let by_u = (degree.u, ends.u);
+    let Some(moved) = fixed.with_moving_parameters(Direction::U, by_u, &places.u, &speeds)? else {
+        return Ok(None);
+    };
+    let Some(speeds) = rule.mean_speeds(&points, &slopes)? else { return Ok(None) };
+    moved.with_moving_parameters(Direction::V, (degree.v, ends.v), &places.v, &speeds)
+}

@@ -1,0 +1,19 @@
+//! What operations find by rules, where that moves with what is differentiated.
+
+use super::{Call, Value};
+use crate::kernel::{GeomError, VariedSurface};
+
+/// What an operation finds by a rule before it makes a surface that is affine in all else.
+#[derive(Debug)]
+pub struct Settling {
+    /// The parameter by which it may be given, and the entry of the report that tells what was found.
+    pub parameter: &'static str,
+    /// In which calls it is found, and moves with what is differentiated.
+    pub applies: fn(&Call) -> bool,
+    /// The surface with the derivatives that it has while that moves, from those that it has while that stays at what was
+    /// found; none where they are not known.
+    pub moving: fn(&Call, &VariedSurface, &Value) -> MovingSurface,
+}
+
+/// A surface with its derivatives, where they are known.
+pub type MovingSurface = std::result::Result<Option<VariedSurface>, GeomError>;
