@@ -293,7 +293,7 @@ const MODELS: &[(&str, &str)] = &[
         "x => centroid(revolve(region(polyline([(1, 0), (x, 1), (1, 4)], closed = true)), axis = (0, 1, 0))).y",
         "3",
     ),
-    ("y => intersect(bezier((0, 0), (2, y), (4, 0)), circle((2, 0), 1.5))[0].point.x", "3"),
+    ("y => intersect(bezier((0, 0), (2, y), (4, 0)), circle((2, 0), 1.8))[0].point.x", "3"),
 ];
 
 #[test]
