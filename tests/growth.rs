@@ -11,7 +11,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use cap::Cap;
+use stats_alloc::StatsAlloc;
 use virote::{
     export::FORMATS,
     limits::{Limits, work},
@@ -20,7 +20,7 @@ use virote::{
 };
 
 #[global_allocator]
-static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
+static MEMORY: StatsAlloc<System> = StatsAlloc::system();
 
 /// Tests of this file take turns, because the memory is counted for all of them.
 static TURN: Mutex<()> = Mutex::new(());
@@ -399,7 +399,7 @@ fn script((_, before, repeated, between, behind): Shape, n: usize) -> String {
 
 /// Runs a script in each way in which it can be run, and counts.
 fn counted(text: &str) -> u64 {
-    let (bytes, steps) = (MEMORY.total_allocated(), work::counted());
+    let (bytes, steps) = (MEMORY.stats().bytes_allocated, work::counted());
     let session = Session::new(Limits::DEFAULT);
     let report = session.run("a.geo", text.as_bytes(), &MadeFiles, &[]);
     let mut said = String::new();
@@ -416,7 +416,7 @@ fn counted(text: &str) -> u64 {
     let _ = session.format("a.geo", text.as_bytes());
     let _ = session.graph("a.geo", text.as_bytes(), &MadeFiles);
     let _ = session.parameters("a.geo", text.as_bytes(), &MadeFiles);
-    (MEMORY.total_allocated() - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
+    (MEMORY.stats().bytes_allocated - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
 }
 
 /// How often a shape is repeated at first.
@@ -482,9 +482,9 @@ fn one_more_entry_of_a_prompt_takes_work_in_proportion_to_the_document() {
     let complaint = grown("a document that an incremental session knows", |n| {
         let text: String = (0..n).map(|i| format!("let a{i} = {i}\n")).collect();
         let _ = session.run("a.geo", text.as_bytes(), &MadeFiles, &[]);
-        let (bytes, steps) = (MEMORY.total_allocated(), work::counted());
+        let (bytes, steps) = (MEMORY.stats().bytes_allocated, work::counted());
         let _ = session.run("a.geo", format!("{text}let b = 1").as_bytes(), &MadeFiles, &[]);
-        (MEMORY.total_allocated() - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
+        (MEMORY.stats().bytes_allocated - bytes) as u64 / BYTES_A_STEP + work::counted() - steps
     });
     assert_eq!(complaint, None);
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Number, Value, radians_of, shortest, unit::UnitText};
+use super::{Number, Value, radians_of, rounded_to, shortest, unit::UnitText};
 use crate::diag::{Code, Diagnostic, Span};
 
 /// Digits behind the point that a number may be written with.
@@ -137,7 +137,9 @@ impl NumberFormat {
     /// The number alone; what is written as zero has no sign.
     fn digits(&self, value: f64) -> String {
         let Some(digits) = self.digits else { return shortest(value) };
-        let text = format!("{value:.digits$}");
+        // As `round` does it: `2.675` has three digits for who reads it, whatever its bits are.
+        let rounded = i64::try_from(digits).map_or(value, |digits| rounded_to(value, digits));
+        let text = format!("{rounded:.digits$}");
         match text.strip_prefix('-') {
             Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
             _ => text,
@@ -160,6 +162,10 @@ mod tests {
         let of = |value: f64, digits| text(Some(digits), None, Value::number(value));
         assert_eq!(of(7.7654, 3), "7.765");
         assert_eq!(of(2.0, 2), "2.00");
+        assert_eq!(of(2.5, 0), "3");
+        assert_eq!(of(-0.125, 2), "-0.13");
+        assert_eq!(of(1.005, 2), "1.01");
+        assert_eq!(of(f64::MAX, 1), format!("{:.1}", f64::MAX));
         assert_eq!(of(-0.0004, 3), "0.000");
         assert_eq!(of(-0.0006, 3), "-0.001");
         assert_eq!(of(1e21, 0), "1000000000000000000000");

@@ -46,8 +46,30 @@ impl Region {
         let size = super::bounds_of(&self.loops).map_or(0.0, crate::Bounds::diagonal);
         let tolerance = tolerance.with_distance(tolerance.distance_for(size));
         let chosen = at.map(|points| self.corners_at(points, tolerance)).transpose()?;
+        let chosen = chosen.as_deref();
+        self.with_rounded(chosen, radius, tolerance).map_err(|error| match error {
+            GeomError::Region(RegionError::NoRoom { point, .. }) => {
+                let fits = |radius: f64| self.with_rounded(chosen, radius, tolerance).is_ok();
+                let most = bisected([0.0, radius], BISECTIONS / 2, fits)[0];
+                let most = (0.0 < most).then_some(most);
+                RegionError::NoRoom { point, radius, most }.into()
+            }
+            other => other,
+        })
+    }
+
+    /// The region with those corners rounded that are chosen; all where nothing is said.
+    ///
+    /// # Errors
+    /// [`RegionError::NoRoom`], which does not tell for which radius there is some.
+    fn with_rounded(
+        &self,
+        chosen: Option<&[(usize, usize)]>,
+        radius: f64,
+        tolerance: Tolerance,
+    ) -> Result<Self, GeomError> {
         let is_chosen =
-            |corner: (usize, usize)| chosen.as_ref().is_none_or(|chosen| chosen.contains(&corner));
+            |corner: (usize, usize)| chosen.is_none_or(|chosen| chosen.contains(&corner));
         let loops = self.loops.iter().enumerate().map(|(number, border)| {
             self.rounded(border, |arc| is_chosen((number, arc)), radius, tolerance)
         });
@@ -98,6 +120,10 @@ impl Region {
         tolerance: Tolerance,
     ) -> Result<PlaneLoop, GeomError> {
         let n = border.arcs.len();
+        let no_room = |corner: DVec3| {
+            let point = self.frame.point(corner);
+            RegionError::NoRoom { point, radius, most: None }
+        };
         let mut circles: Vec<Option<CornerCircle>> = vec![None; n];
         for (arc, circle) in circles.iter_mut().enumerate() {
             let (before, next) = border.around(arc);
@@ -106,15 +132,7 @@ impl Region {
                 continue;
             }
             let found = corner_circle([before, next], angle, radius, tolerance)?;
-            *circle = Some(found.ok_or_else(|| {
-                let fits = |radius: f64| {
-                    corner_circle([before, next], angle, radius, tolerance)
-                        .is_ok_and(|c| c.is_some())
-                };
-                let most = bisected([0.0, radius], BISECTIONS / 2, fits)[0];
-                let most = (0.0 < most).then_some(most);
-                RegionError::NoRoom { point: self.frame.point(next.start()), radius, most }
-            })?);
+            *circle = Some(found.ok_or_else(|| no_room(next.start()))?);
         }
         let mut arcs = Vec::with_capacity(2 * n);
         for (i, arc) in border.arcs.iter().enumerate() {
@@ -126,15 +144,13 @@ impl Region {
                 Ok(interval) if interval == domain => arcs.push(arc.clone()),
                 Ok(interval) if dust < interval.length() => arcs.push(arc.trimmed(interval)?),
                 _ if (end - start).abs() <= dust => {}
-                _ => {
-                    let point = self.frame.point(arc.start());
-                    return Err(RegionError::NoRoom { point, radius, most: None }.into());
-                }
+                _ => return Err(no_room(arc.start()).into()),
             }
             if let Some(circle) = circles[i] {
                 let next = border.around(i).1;
                 let ends = [arc.point_at(circle.places[0]), next.point_at(circle.places[1])];
-                arcs.push(arc_about(circle.center, ends[0], ends[1], circle.turn)?);
+                let arc = arc_about(circle.center, ends[0], ends[1], circle.turn);
+                arcs.push(arc.map_err(|_| no_room(next.start()))?);
             }
         }
         Ok(PlaneLoop { arcs })

@@ -28,6 +28,9 @@ pub use measure::RegionSide;
 pub use offset::CornerStyle;
 pub use strips::RegionStrip;
 
+/// Sizes of a region from the origin beyond which its plane has one of its own.
+const FAR_SHARE: f64 = 64.0;
+
 /// How often the chords of a mesh are taken a quarter as far from the borders until they meet no more.
 const CLOSER_CHORDS: usize = 6;
 
@@ -141,7 +144,7 @@ impl Region {
         Self { frame, loops: borders.into_iter().map(|arcs| PlaneLoop { arcs }).collect() }
     }
 
-    /// The plane: its origin is nearest to that of space.
+    /// The plane: its origin is nearest to that of space, or beside the region where that is far away.
     #[must_use]
     pub fn frame(&self) -> Frame {
         self.frame
@@ -194,6 +197,9 @@ impl Region {
         let to_space = *map * self.frame.to_space();
         let normal = to_space.matrix3.x_axis.cross(to_space.matrix3.y_axis);
         let frame = upward(to_space.translation, normal)?;
+        let moved = bounds_of(&self.loops)
+            .map(|bounds| bounds.corners().map(|p| to_space.transform_point3(p)));
+        let frame = beside(frame, moved.unwrap_or_default());
         let local = frame.from_space() * to_space;
         let mut loops: Vec<PlaneLoop> =
             self.loops.iter().map(|border| border.mapped(&local)).collect();
@@ -362,7 +368,7 @@ fn plane_of(
     distance: f64,
 ) -> Result<Frame, GeomError> {
     use crate::{ConstructionError, FormError};
-    curve.plane_across(DVec3::Z, distance).map_err(|error| match error {
+    let plane = curve.plane_across(DVec3::Z, distance).map_err(|error| match error {
         GeomError::Form(FormError::NotPlanar { by }) => {
             PictureError::OffPlane { index, of, by }.into()
         }
@@ -371,7 +377,22 @@ fn plane_of(
             PictureError::NoArea { index, of }.into()
         }
         other => other,
-    })
+    })?;
+    Ok(beside(plane, curve.bounds().corners()))
+}
+
+/// The plane with its origin beside these corners of a box where that is far away: there coordinates would have few
+/// digits left for what lies in the box. It is moved by so few digits that they lose none.
+fn beside(plane: Frame, corners: [DVec3; 8]) -> Frame {
+    let local = corners.map(|corner| plane.from_space().transform_point3(corner));
+    let Some(bounds) = Bounds::of(local) else { return plane };
+    let size = bounds.diagonal();
+    if bounds.magnitude() <= FAR_SHARE * size || !size.is_normal() {
+        return plane;
+    }
+    let step = libm::exp2(libm::log2(size).ceil());
+    let origin = (bounds.center().with_z(0.0) / step).round() * step;
+    plane.at(plane.point(origin))
 }
 
 /// The plane through a point with this normal or its opposite, whichever points up.

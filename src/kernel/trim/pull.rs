@@ -12,7 +12,7 @@ use glam::DVec3;
 use super::{FaceError, plane::ParameterPlane};
 use crate::{
     FitError, GeomError, Interval, NurbsCurve,
-    ceiling::PARAMETER_HALVINGS,
+    ceiling::{PARAMETER_HALVINGS, PIECES},
     curve::join,
     frame::norm,
     lagrange,
@@ -30,10 +30,10 @@ const PARTS: usize = 8;
 /// Steps of Newton's method onto a second surface.
 const STEPS: usize = 12;
 
-/// Last bits of the size of a surface that pieces are given at least.
+/// Last bits of where a surface lies that pieces are given at least.
 const PIECE_BITS: f64 = 64.0;
 
-/// Last bits of that size that rounding may take of a place where a height vanishes steeply.
+/// Last bits of that which rounding may take of a place where a height vanishes steeply.
 const HEIGHT_BITS: f64 = 8.0;
 
 /// Jumps that may follow one another between two steps: over either seam, and one more.
@@ -58,6 +58,8 @@ pub(super) struct PulledCurve<'a> {
     pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
+    /// The last bit of the surface's size, and of its coordinates, which may be far larger.
+    last_bit: f64,
 }
 
 /// The arcs in the plane of parameters along a curve that lies on the surface within the tolerance, of the
@@ -73,11 +75,13 @@ pub(super) fn arcs_on_surface(
     [tolerance, angle]: [f64; 2],
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let size = plane.bounds().diagonal();
-    let accuracy =
-        (PULL_RELATIVE * size).max(PIECE_BITS * LAST_BIT * size).min(PULL_SHARE * tolerance);
+    let last_bit = LAST_BIT * size.max(plane.surface.bounds().magnitude());
+    let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
-        let pulled = PulledCurve { plane, curve: &part, height, what, index, tolerance, accuracy };
+        let curve = &part;
+        let pulled =
+            PulledCurve { plane, curve, height, what, index, tolerance, accuracy, last_bit };
         for section in pulled.sections()? {
             arcs.push(pulled.fitted(section)?);
         }
@@ -164,7 +168,7 @@ impl PulledCurve<'_> {
             let (value, away) = height(point);
             let normal = along_u.cross(along_v);
             let sine = norm(away.cross(normal)) / (norm(away) * norm(normal));
-            rounding = HEIGHT_BITS * LAST_BIT * bounds.diagonal() / sine;
+            rounding = HEIGHT_BITS * self.last_bit / sine;
             if most < rounding {
                 return (start, most);
             }
@@ -190,7 +194,7 @@ impl PulledCurve<'_> {
                 }
             }
             place = place.clamp(bounds.min, bounds.max);
-            if norm(step) <= 4.0 * LAST_BIT * bounds.diagonal() {
+            if norm(step) <= 4.0 * self.last_bit {
                 break;
             }
         }
@@ -302,7 +306,7 @@ impl PulledCurve<'_> {
                 pieces.push(lagrange(&[first, last], &[interval.start(), interval.end()])?);
             } else if fits || piece.degree() == 1 {
                 pieces.push(piece);
-            } else if PARAMETER_HALVINGS <= n_halvings {
+            } else if PARAMETER_HALVINGS <= n_halvings || PIECES <= pieces.len() + todo.len() {
                 let (tolerance, parameter) = (self.tolerance, interval.at(0.5));
                 return Err(FitError::NoSplineNear { tolerance, parameter }.into());
             } else {

@@ -22,10 +22,17 @@ fn run(_: &mut Ctx<'_>, args: Args) -> Result<Number> {
     number.map(Number::open).ok_or_else(|| {
         let message = format!("\"{}\" is not a number", args.text.value);
         let diagnostic = Diagnostic::error(Code::WrongKind, args.text.span, message);
-        let with_point = args.text.value.trim().replacen(',', ".", 1);
+        let text = args.text.value.trim();
+        let with_point = text.replacen(',', ".", 1);
         Box::new(match with_point.parse::<f64>() {
-            Ok(_) => diagnostic.hint(format!("the decimal sign is a point: \"{with_point}\"")),
-            Err(_) => diagnostic,
+            Ok(number) if number.is_nan() => diagnostic.hint("`none` stands for what is missing"),
+            Ok(number) if number.is_infinite() => {
+                diagnostic.hint("numbers are finite, at most 1.8e308")
+            }
+            Ok(_) if text.contains(',') => {
+                diagnostic.hint(format!("the decimal sign is a point: \"{with_point}\""))
+            }
+            _ => diagnostic,
         })
     })
 }
