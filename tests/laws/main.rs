@@ -21,6 +21,7 @@ mod evaluator;
 mod face;
 mod face_touching;
 mod face_turned;
+mod far;
 mod fit;
 mod gordon;
 mod hostile;

@@ -20,6 +20,7 @@ use crate::{
     curve::facing,
     frame::unit,
     planar_mesh, tessellate_curve,
+    tolerance::FAR_SHARE,
 };
 
 pub(crate) use cells::{PlaneCell, cells};
@@ -27,9 +28,6 @@ pub use error::RegionError;
 pub use measure::RegionSide;
 pub use offset::CornerStyle;
 pub use strips::RegionStrip;
-
-/// Sizes of a region from the origin beyond which its plane has one of its own.
-const FAR_SHARE: f64 = 64.0;
 
 /// How often the chords of a mesh are taken a quarter as far from the borders until they meet no more.
 const CLOSER_CHORDS: usize = 6;

@@ -13,6 +13,12 @@ pub const LENGTH_RELATIVE: f64 = 1e-13;
 /// of the sum.
 pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 
+/// Sizes from the origin beyond which what is asked of a shape is affected by the last bits of its coordinates.
+///
+/// Larger leaves integrals of what is that far to be divided for digits that nobody has; smaller moves the planes of
+/// regions that lie beside the origin.
+pub(crate) const FAR_SHARE: f64 = 64.0;
+
 /// How far beside a crease, as a fraction of the domain, a function is asked that has no derivative on it.
 ///
 /// Larger takes the value of another place; smaller is on the crease up to rounding.

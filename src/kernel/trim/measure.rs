@@ -17,7 +17,7 @@ use crate::{
     Tolerance,
     surface::{
         Density, IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
-        integral, integral_over, moments,
+        far_share, integral, integral_over, moments,
     },
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
@@ -134,7 +134,7 @@ impl Face {
         for (u, v, times) in rectangles(&border, &lines) {
             parts.push(ParameterPiece::Rectangle { surface, u, v, times });
         }
-        integral_over(&parts, kinds, density)
+        integral_over(&parts, far_share(surface), kinds, density)
     }
 
     /// The arcs of all loops, as curves of parameters; where one begins a little beside the end of the

@@ -15,11 +15,11 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::{
-    Direction, GeomError, Interval,
+    Direction, GeomError, Interval, NurbsSurface,
     ceiling::SURFACE_CUTS,
     numeric::gauss_legendre::{EIGHT_NODES, nodes},
     surface::{Surface, representation::even::evened},
-    tolerance::{BESIDE_CREASE, LAST_BIT, QUADRATURE_RELATIVE},
+    tolerance::{BESIDE_CREASE, FAR_SHARE, LAST_BIT, QUADRATURE_RELATIVE},
 };
 
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
@@ -203,19 +203,32 @@ pub(crate) fn integral<const N: usize, D: Into<Density<N>>>(
     density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
     surface.check_function()?;
-    integral_over(&parts(surface), kinds, density)
+    let far = match surface {
+        Surface::Nurbs(surface) => far_share(surface),
+        Surface::Parametric(_) => 0.0,
+    };
+    integral_over(&parts(surface), far, kinds, density)
 }
 
-/// The integral over all of some maps.
+/// Sizes of a surface that its coordinates are, where they are many: by so much more rounding moves what depends on
+/// its shape, and no division into parts takes that away.
+pub(crate) fn far_share(surface: &NurbsSurface) -> f64 {
+    let bounds = surface.bounds();
+    let share = bounds.magnitude() / bounds.diagonal();
+    if FAR_SHARE < share && share.is_finite() { share } else { 0.0 }
+}
+
+/// The integral over all of some maps, of surfaces that are `far` of their sizes from the origin.
 ///
 /// # Errors
 /// As [`QuadratureMap::at`].
 pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>>>(
     parts: &[M],
+    far: f64,
     kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
-    let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], cell, &density);
+    let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], far, cell, &density);
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
             let pair = |direction: Direction| -> Result<[CellEstimate<N>; 2], GeomError> {
@@ -289,6 +302,7 @@ fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
 /// has its exact integral.
 fn quadrature<const N: usize, D: Into<Density<N>>>(
     map: &impl QuadratureMap,
+    far: f64,
     cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> D,
 ) -> Result<CellEstimate<N>, GeomError> {
@@ -309,7 +323,11 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
             for (i, value) in there.values.into_iter().enumerate() {
                 means[i] += weight * (value - middle[i]);
                 absolute[i] += weight * value.abs();
-                parts[i] += weight * there.parts[i];
+                parts[i] += weight
+                    * match 0.0 < far {
+                        true => far * there.parts[i].max(value.abs()),
+                        false => there.parts[i],
+                    };
             }
         }
     }
