@@ -11,7 +11,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use glam::DVec3;
 
-use super::Face;
+use super::{Face, lift::affine_map};
 use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
@@ -87,7 +87,21 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn area(&self) -> Result<f64, GeomError> {
+        if let Some((_, area)) = self.plane_area() {
+            return Ok(area.length());
+        }
         Ok(self.integral([0], |_, normal| [normal.length()])?.values[0])
+    }
+
+    /// Of a face on a plane patch that is even everywhere, a point of its plane and the normal along Su × Sv as long
+    /// as its area.
+    pub(super) fn plane_area(&self) -> Option<(DVec3, DVec3)> {
+        let map = affine_map(&self.plane.surface)?;
+        let [a, b] = self.plane.scales;
+        let area: f64 = self.parts.iter().map(Region::area).sum();
+        let normal = map.matrix3.x_axis.cross(map.matrix3.y_axis);
+        let middle = self.plane.surface.bounds().center();
+        Some((middle, normal * (area / (a * b))))
     }
 
     /// The area, centroid and inertia of several together.
