@@ -114,6 +114,7 @@ mod arrange;
 mod bernstein;
 mod bezier;
 mod bounds;
+mod box_tree;
 pub mod ceiling;
 mod compatible;
 mod construction_report;

@@ -18,6 +18,7 @@ mod curve;
 mod edit;
 mod edit_surface;
 mod evaluator;
+mod exact_cut;
 mod face;
 mod face_touching;
 mod face_turned;

@@ -101,7 +101,7 @@ impl Region {
             return RegionSide::Outside;
         }
         let local = local.with_z(0.0);
-        let near = |border: &PlaneLoop| border.distance_to(local, tolerance) <= tolerance;
+        let near = |border: &PlaneLoop| border.comes_near(local, tolerance);
         if self.loops.iter().any(near) {
             return RegionSide::Border;
         }
@@ -175,10 +175,13 @@ impl PlaneLoop {
         whole.unwrap_or_else(|| unreachable!("a loop has an arc"))
     }
 
-    /// How far a point of the plane is from it.
-    pub(super) fn distance_to(&self, point: DVec3, tolerance: f64) -> f64 {
-        let distances = self.arcs.iter().map(|arc| arc.closest(point, tolerance).distance);
-        distances.fold(f64::INFINITY, f64::min)
+    /// Whether it comes within a distance of a point of the plane.
+    fn comes_near(&self, point: DVec3, distance: f64) -> bool {
+        let is_near = |arc: &NurbsCurve| {
+            arc.bounds().contains(point, distance)
+                && arc.closest(point, distance).distance <= distance
+        };
+        self.arcs.iter().any(is_near)
     }
 
     /// The moments of what is to its left about a point.

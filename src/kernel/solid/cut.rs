@@ -5,9 +5,11 @@ use glam::DVec3;
 use super::{
     Solid, SolidError, box_around,
     caps::{PlaneCaps, plane_caps},
-    middle,
 };
-use crate::{Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral};
+use crate::{
+    Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral,
+    trim::amid,
+};
 
 /// The faces of a solid beside a plane.
 struct FacesBeside {
@@ -63,7 +65,7 @@ impl Solid {
             return Err(SolidError::TouchesPlane { point }.into());
         }
         let side = Self::closed_by(&faces, caps, tolerance)?;
-        let center = middle(&faces);
+        let center = amid(&faces);
         let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());
         let ((told, error), (found, its_error)) =
             (volume(&faces, in_plane)?, volume(&side.faces, center)?);

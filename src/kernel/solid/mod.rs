@@ -20,7 +20,7 @@ use glam::{DAffine3, DVec3};
 use crate::{
     Bounds, Face, GeomError, MassProperties, Tolerance,
     surface::MassIntegral,
-    trim::{EnclosedShell, FaceBorderEdge, enclosed_shells},
+    trim::{EnclosedShell, FaceBorderEdge, amid, enclosed_shells},
 };
 
 pub use error::SolidError;
@@ -72,7 +72,7 @@ impl Solid {
         edges: &[FaceBorderEdge],
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
-        let shells = enclosed_shells(faces, edges, middle(faces), tolerance)?;
+        let shells = enclosed_shells(faces, edges, amid(faces), tolerance)?;
         let areas: Vec<f64> = faces.iter().map(Face::area).collect::<Result<_, GeomError>>()?;
         let mut turns = vec![false; faces.len()];
         for shell in &shells {
@@ -124,7 +124,7 @@ impl Solid {
     /// # Errors
     /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
     pub fn volume_mass(&self) -> Result<MassProperties, GeomError> {
-        let about = middle(&self.faces);
+        let about = amid(&self.faces);
         let mut sum = MassIntegral::default();
         for face in &self.faces {
             sum.add(face.flux_moments(about)?, 1.0);
@@ -174,9 +174,4 @@ impl Solid {
 fn box_around<'f>(faces: impl IntoIterator<Item = &'f Face>) -> Bounds {
     let boxes = faces.into_iter().map(|face| face.surface().bounds());
     boxes.reduce(Bounds::union).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO })
-}
-
-/// The middle of the surfaces of faces, about which integrals cancel least.
-fn middle(faces: &[Face]) -> DVec3 {
-    box_around(faces).center()
 }

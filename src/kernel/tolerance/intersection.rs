@@ -149,3 +149,14 @@ pub(crate) const SLOWEST_SHARE: f64 = 0.0625;
 ///
 /// Larger gives areas beside junctions fewer digits; smaller follows what rounding leaves of places there.
 pub(crate) const STRAIGHT_REACH: f64 = 32.0;
+
+/// Part of its largest coordinate that a curve on a surface may be away from the conic that it is.
+///
+/// Larger takes a curve for a conic that is none; smaller approximates conics, whose arcs of parameters have
+/// rounding of their own.
+pub(crate) const CONIC_RELATIVE: f64 = 2e-12;
+
+/// The least height of a conic over its chord, as a part of that.
+///
+/// Larger approximates flat arcs; smaller computes weights of rounding.
+pub(crate) const CONIC_SHARE: f64 = 1e-6;

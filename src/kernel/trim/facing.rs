@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::{
-    Face, FaceError,
+    Face,
+    border_edge::{FaceBorderEdge, NeighbourSearch},
     joined::SurfacePiece,
     measure::{arm, flux},
-    shell::{FaceBorderEdge, hanging_together, neighbour},
+    shell::hanging_together,
 };
 use crate::{
     Bounds, GeomError, MeasureError, NurbsCurve, Surface, Tolerance, facing_unlike,
@@ -61,13 +62,13 @@ pub fn pieces_facing_unlike(
 
     // Find what hangs together, and which pieces have an edge without a neighbour.
     let (mut pairs, mut is_open) = (Vec::new(), vec![false; pieces.len()]);
+    let search = NeighbourSearch::new(&edges, distance);
     for (i, edge) in edges.iter().enumerate() {
         for place in edge.places() {
             GeomError::go_on(1)?;
-            match neighbour(&edges, i, place, distance) {
-                Ok(pair) => pairs.push(pair),
-                Err(GeomError::Face(FaceError::OpenShell { .. })) => is_open[edge.face] = true,
-                Err(other) => return Err(other),
+            match search.neighbour(i, place)? {
+                Some(pair) => pairs.push(pair),
+                None => is_open[edge.face] = true,
             }
         }
     }

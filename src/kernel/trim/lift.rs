@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use super::Face;
+use super::{Face, conic::conic_of};
 use crate::{
     Curve, CurveFunction, Direction, FunctionFailure, GeomError, Interval, Jet, NurbsCurve,
     NurbsSurface, ParametricCurve,
@@ -56,7 +56,8 @@ impl Face {
         spline(&self.lifted(arc)?, distance)
     }
 
-    /// An arc of parameters in space: exact along lines of constant parameters and on plane patches.
+    /// An arc of parameters in space: exact along lines of constant parameters and on plane patches, and where it is a
+    /// conic.
     pub(super) fn lifted(&self, arc: &NurbsCurve) -> Result<Curve, GeomError> {
         let surface = &self.plane.surface;
         if let Some(map) = affine_map(surface) {
@@ -85,6 +86,9 @@ impl Face {
                     return Ok(if from < to { line } else { line.reversed() }.into());
                 }
             }
+        }
+        if let Some(conic) = conic_of(surface, arc) {
+            return Ok(conic.into());
         }
         let function = LiftedArc { surface: Arc::clone(surface), arc: arc.clone() };
         Ok(ParametricCurve::new(arc.domain(), Arc::new(function))?.into())

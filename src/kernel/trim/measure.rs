@@ -11,7 +11,7 @@ use std::{collections::BTreeMap, sync::Arc};
 
 use glam::DVec3;
 
-use super::Face;
+use super::{Face, lift::affine_map};
 use crate::{
     Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
     Tolerance,
@@ -21,6 +21,9 @@ use crate::{
     },
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
+
+/// Where on each arc of a border places are taken that tell where a face is.
+const ALONG_BORDERS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
 /// A part of a face's parameters.
 enum ParameterPiece<'a> {
@@ -87,7 +90,21 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn area(&self) -> Result<f64, GeomError> {
+        if let Some((_, area)) = self.plane_area() {
+            return Ok(area.length());
+        }
         Ok(self.integral([0], |_, normal| [normal.length()])?.values[0])
+    }
+
+    /// Of a face on a plane patch that is even everywhere, a point of its plane and the normal along Su × Sv as long
+    /// as its area.
+    pub(super) fn plane_area(&self) -> Option<(DVec3, DVec3)> {
+        let map = affine_map(&self.plane.surface)?;
+        let [a, b] = self.plane.scales;
+        let area: f64 = self.parts.iter().map(Region::area).sum();
+        let normal = map.matrix3.x_axis.cross(map.matrix3.y_axis);
+        let middle = self.plane.surface.bounds().center();
+        Some((middle, normal * (area / (a * b))))
     }
 
     /// The area, centroid and inertia of several together.
@@ -95,8 +112,7 @@ impl Face {
     /// # Errors
     /// Those of [`Self::mass`].
     pub fn mass_of(faces: &[Self]) -> Result<MassProperties, GeomError> {
-        let boxes = faces.iter().map(|face| face.plane.surface.bounds());
-        let about = boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center);
+        let about = amid(faces);
         let mut sum = MassIntegral::default();
         for face in faces {
             let found = face.integral(MOMENT_KINDS, |point, normal| {
@@ -154,6 +170,19 @@ impl Face {
         }
         Ok(arcs)
     }
+}
+
+/// A point amid faces, about which integrals over them cancel least: the middle of a box around surfaces that are
+/// whole, and around places of the borders of others, so that a small part of a large surface is near it.
+pub(crate) fn amid(faces: &[Face]) -> DVec3 {
+    let own = |face: &Face| {
+        let arcs = face.parts.iter().flat_map(Region::arcs).flatten();
+        let places = arcs.flat_map(|arc| ALONG_BORDERS.map(|at| arc.point_at(arc.domain().at(at))));
+        let places = places.map(|place| face.plane.point(place));
+        let border = if face.is_whole() { None } else { Bounds::of(places) };
+        border.unwrap_or_else(|| face.plane.surface.bounds())
+    };
+    faces.iter().map(own).reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
 }
 
 /// The way to a point, without what rounding leaves of it: the moments of a plane face about a point of its plane

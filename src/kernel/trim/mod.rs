@@ -5,14 +5,17 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves, through poles by `pole`, and by `division`, `measure` integrals over faces, `strip` what those of others go
+//! `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, `measure` integrals over faces, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
-//! space by arcs of parameters that `lift` takes there, `extremum` what of them is nearest or reaches farthest,
-//! `clip` what of curves lies on them, `shell` what they enclose together, `facing` which must turn to look alike.
+//! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
+//! `clip` what of curves lies on them, `shell` what they enclose together where `border_edge` finds that they are
+//! neighbours, `facing` which must turn to look alike.
 //! `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
 mod border;
+mod border_edge;
 mod clip;
+mod conic;
 mod division;
 mod edge;
 mod error;
@@ -30,9 +33,11 @@ mod pull;
 mod seam;
 mod shell;
 mod split;
+mod stretch;
 mod strip;
 
 pub use border::FaceEdge;
+pub(crate) use border_edge::FaceBorderEdge;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;
@@ -41,6 +46,7 @@ pub use facing::pieces_facing_unlike;
 pub(crate) use joined::joined_meshes;
 pub use joined::{SurfacePiece, tessellate_together};
 pub(crate) use lift::affine_map;
-pub(crate) use shell::{EnclosedShell, FaceBorderEdge, enclosed_shells, rims};
+pub(crate) use measure::amid;
+pub(crate) use shell::{EnclosedShell, enclosed_shells, rims};
 pub use split::Cutter;
 pub use strip::AreaStrip;

@@ -1,7 +1,7 @@
 //! Curves on a surface as curves of its parameters.
 //!
 //! Where a curve runs over a seam or through a pole its parameters jump: there it is cut. Between jumps a
-//! polynomial of degree 7 goes through places that were solved for at Chebyshev's points, and a piece is
+//! polynomial of degree 11 goes through places that were solved for at Chebyshev's points, and a piece is
 //! halved until it agrees with the solution between them: far beyond the tolerance, so that areas are
 //! those of the true curve. Trefethen, *Approximation Theory and Approximation Practice*, ch. 2 and 8.
 
@@ -13,7 +13,7 @@ use super::{FaceError, plane::ParameterPlane};
 use crate::{
     FitError, GeomError, Interval, NurbsCurve,
     ceiling::{PARAMETER_HALVINGS, PIECES},
-    curve::join,
+    curve::join_pieces,
     frame::norm,
     lagrange,
     tolerance::{
@@ -22,7 +22,7 @@ use crate::{
 };
 
 /// The degree of pieces.
-const DEGREE: usize = 7;
+const DEGREE: usize = 11;
 
 /// Even parts of each span of a curve between which jumps are looked for.
 const PARTS: usize = 8;
@@ -40,7 +40,10 @@ const HEIGHT_BITS: f64 = 8.0;
 const MOST_JUMPS: usize = 3;
 
 /// Where a piece is compared between the points that it goes through.
-const COMPARED: [f64; 4] = [0.1, 0.3, 0.65, 0.93];
+pub(super) const COMPARED: [f64; 4] = [0.12, 0.36, 0.64, 0.95];
+
+/// Part of the accuracy that a joint of pieces may use up.
+pub(super) const JOINT_SHARE: f64 = 0.125;
 
 /// Newton's method goes no further beside a curve than so many tolerances.
 pub(super) const MOST_BESIDE: f64 = 4.0;
@@ -74,8 +77,9 @@ pub(super) fn arcs_on_surface(
     (what, index): (&'static str, usize),
     [tolerance, angle]: [f64; 2],
 ) -> Result<Vec<NurbsCurve>, GeomError> {
-    let size = plane.bounds().diagonal();
-    let last_bit = LAST_BIT * size.max(plane.surface.bounds().magnitude());
+    let bounds = plane.surface.bounds();
+    let size = bounds.diagonal();
+    let last_bit = LAST_BIT * size.max(bounds.magnitude());
     let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
@@ -271,6 +275,9 @@ impl PulledCurve<'_> {
 
     /// The arc along a stretch.
     fn fitted(&self, [start, end]: Section) -> Result<NurbsCurve, GeomError> {
+        if let Some(line) = self.straight([start, end])? {
+            return Ok(line);
+        }
         let mut pieces = Vec::new();
         // At its knots a curve is less smooth than between them.
         let mut stops = vec![start];
@@ -282,6 +289,7 @@ impl PulledCurve<'_> {
             }
         }
         stops.push(end);
+        let stops = self.with_knots(stops)?;
         let mut todo = Vec::with_capacity(stops.len());
         for pair in stops.windows(2).rev() {
             todo.push((Interval::new(pair[0].0, pair[1].0)?, pair[0].1, pair[1].1, 0));
@@ -318,7 +326,7 @@ impl PulledCurve<'_> {
         }
         match &pieces[..] {
             [piece] => Ok(piece.clone()),
-            _ => join(&pieces, f64::INFINITY),
+            _ => join_pieces(&pieces, JOINT_SHARE * self.accuracy),
         }
     }
 
@@ -336,7 +344,7 @@ impl PulledCurve<'_> {
         let mut ts = vec![interval.start()];
         let mut places = vec![first];
         for i in 1..DEGREE {
-            let fraction = 0.5 * (1.0 - libm::cos(PI * i as f64 / DEGREE as f64));
+            let fraction = chebyshev_fraction(i, DEGREE);
             let t = interval.at(fraction);
             ts.push(t);
             places.push(self.place_between(t, first.lerp(last, fraction))?.0);
@@ -345,4 +353,9 @@ impl PulledCurve<'_> {
         places.push(last);
         lagrange(&places, &ts)
     }
+}
+
+/// Where between the ends of a piece of a degree the inner places of a number are that it goes through.
+pub(super) fn chebyshev_fraction(number: usize, degree: usize) -> f64 {
+    0.5 * (1.0 - libm::cos(PI * number as f64 / degree as f64))
 }

@@ -4,23 +4,24 @@
 //! edges need not match one to one. Faces that look alike have their edges run against one another there. Edges
 //! without a neighbour are rims.
 
+use std::collections::BTreeSet;
+
 use glam::DVec3;
 
 use super::{
     Face, FaceError,
-    measure::{arm, flux},
+    border_edge::{FaceBorderEdge, FacePair, N_PLACES, NeighbourSearch},
+    measure::{amid, arm, flux},
 };
 use crate::{
-    Bounds, Frame, GeomError, MassProperties, NurbsCurve, Tolerance,
+    Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
     surface::{Density, IntegralValues, MOMENT_KINDS, MassIntegral, moments},
+    tolerance::LAST_BIT,
 };
 
-/// Places of each edge where its neighbour is looked for.
-const PLACES: usize = 24;
-
-/// The least cosine of the angle between edges that run along one another, and do not just end at one corner.
-const RUN_BESIDE: f64 = 0.9;
+/// Last bits of what it is made of that the flux through a plane face may be off.
+const FLUX_BITS: f64 = 16.0;
 
 /// Faces that hang together, and what they enclose: moments of the flux, itself the first.
 pub(crate) struct EnclosedShell<const N: usize = 1> {
@@ -29,20 +30,6 @@ pub(crate) struct EnclosedShell<const N: usize = 1> {
     /// The volume; negative where they look inward with these signs.
     pub(crate) volume: f64,
     moments: MassIntegral<N>,
-}
-
-/// An edge of one of several faces.
-pub(crate) struct FaceBorderEdge {
-    pub(super) face: usize,
-    curve: NurbsCurve,
-    bounds: Bounds,
-}
-
-/// The faces on both sides of a place of an edge.
-pub(super) struct FacePair {
-    pub(super) faces: [usize; 2],
-    /// Whether one of both must turn to look as the other does.
-    must_turn: bool,
 }
 
 impl Face {
@@ -74,7 +61,7 @@ impl Face {
         faces: &[Self],
         tolerance: Tolerance,
     ) -> Result<MassProperties, GeomError> {
-        let (about, edges) = (middle(faces), FaceBorderEdge::all(faces, 0, tolerance)?);
+        let (about, edges) = (amid(faces), FaceBorderEdge::all(faces, 0, tolerance)?);
         let shells = shells_with(faces, &edges, tolerance, |face| face.flux_moments(about))?;
         summed(&shells).volume(about)
     }
@@ -85,7 +72,7 @@ impl Face {
     /// Those of [`Self::enclosed_mass`].
     pub fn enclosed_volume(faces: &[Self], tolerance: Tolerance) -> Result<(f64, f64), GeomError> {
         let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        let shells = enclosed_shells(faces, &edges, middle(faces), tolerance)?;
+        let shells = enclosed_shells(faces, &edges, amid(faces), tolerance)?;
         summed(&shells).amount_of_volume()
     }
 
@@ -106,6 +93,11 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn flux_from(&self, about: DVec3) -> Result<IntegralValues<1>, GeomError> {
+        if let Some((point, normal)) = self.plane_area() {
+            let Density { values, parts: sizes } = flux(arm(point, about), normal);
+            let errors = [FLUX_BITS * LAST_BIT * sizes[0]];
+            return Ok(IntegralValues { values, errors, sizes });
+        }
         self.integral([0], |point, normal| flux(arm(point, about), normal))
     }
 
@@ -166,12 +158,6 @@ fn summed<const N: usize>(shells: &[EnclosedShell<N>]) -> MassIntegral<N> {
     sum
 }
 
-/// The middle of the box around faces.
-fn middle(faces: &[Face]) -> DVec3 {
-    let boxes = faces.iter().map(|face| face.plane.surface.bounds());
-    boxes.reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
-}
-
 /// Those edges of faces that have no neighbour along all of their length.
 ///
 /// # Errors
@@ -182,23 +168,21 @@ pub(crate) fn rims(
     tolerance: Tolerance,
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let distance = distance_for(faces, tolerance);
+    let search = NeighbourSearch::new(edges, distance);
     let mut rims = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
-        let (mut n_open, mut gap) = (0, None);
+        let (mut n_open, mut first) = (0, None);
         for place in edge.places() {
-            match neighbour(edges, i, place, distance) {
-                Ok(_) => {}
-                Err(error @ GeomError::Face(FaceError::OpenShell { .. })) => {
-                    n_open += 1;
-                    gap.get_or_insert(error);
-                }
-                Err(other) => return Err(other),
+            GeomError::go_on(1)?;
+            if search.neighbour(i, place)?.is_none() {
+                n_open += 1;
+                first.get_or_insert(place.0);
             }
         }
-        match gap {
+        match first {
             None => {}
-            Some(_) if n_open == PLACES => rims.push(edge.curve.clone()),
-            Some(gap) => return Err(gap),
+            Some(_) if n_open == N_PLACES => rims.push(edge.curve.clone()),
+            Some(point) => return Err(search.no_neighbour(i, point)),
         }
     }
     Ok(rims)
@@ -210,68 +194,18 @@ fn distance_for(faces: &[Face], tolerance: Tolerance) -> f64 {
     tolerance.distance_for(boxes.reduce(Bounds::union).map_or(0.0, Bounds::diagonal))
 }
 
-impl FaceBorderEdge {
-    /// Those of faces, which are numbered from `first` on.
-    ///
-    /// # Errors
-    /// Those of [`Face::edges`].
-    pub(crate) fn all(
-        faces: &[Face],
-        first: usize,
-        tolerance: Tolerance,
-    ) -> Result<Vec<Self>, GeomError> {
-        let mut edges = Vec::new();
-        for (face, own) in (first..).zip(faces) {
-            edges.extend(own.edges(tolerance)?.into_iter().map(|curve| Self::new(face, curve)));
-        }
-        Ok(edges)
-    }
-
-    /// An edge of the face of a number, with that to its left.
-    pub(super) fn new(face: usize, curve: NurbsCurve) -> Self {
-        let bounds = curve.bounds();
-        Self { face, curve, bounds }
-    }
-
-    /// Where it comes to a plane.
-    pub(crate) fn places_in(&self, plane: Frame, tolerance: Tolerance) -> Vec<DVec3> {
-        let height = |point: DVec3| (point - plane.origin()).dot(plane.z());
-        let (lowest, highest) = self
-            .bounds
-            .corners()
-            .into_iter()
-            .map(height)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
-        if highest < -tolerance.distance || tolerance.distance < lowest {
-            return Vec::new();
-        }
-        let parameters = self.curve.plane_parameters(plane, tolerance).into_iter();
-        let ends = [self.curve.start(), self.curve.end()].into_iter();
-        let ends = ends.filter(|&end| height(end).abs() <= tolerance.distance);
-        ends.chain(parameters.map(|t| self.curve.point_at(t))).collect()
-    }
-
-    /// Places between its ends, each a point and the way of the edge there.
-    pub(super) fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
-        let domain = self.curve.domain();
-        (0..PLACES).map(move |k| {
-            let t = domain.at((k as f64 + 0.5) / PLACES as f64);
-            let derivatives = self.curve.derivatives_at(t, 1);
-            (derivatives[0], derivatives[1])
-        })
-    }
-}
-
 /// The faces on both sides of the places of all edges.
 ///
 /// # Errors
-/// Those of [`neighbour`].
+/// [`FaceError::OpenShell`], [`FaceError::CrowdedShell`].
 fn pairs(edges: &[FaceBorderEdge], distance: f64) -> Result<Vec<FacePair>, GeomError> {
-    let mut pairs = Vec::new();
+    let search = NeighbourSearch::new(edges, distance);
+    let mut pairs = Vec::with_capacity(N_PLACES * edges.len());
     for (i, edge) in edges.iter().enumerate() {
         for place in edge.places() {
             GeomError::go_on(1)?;
-            pairs.push(neighbour(edges, i, place, distance)?);
+            let pair = search.neighbour(i, place)?;
+            pairs.push(pair.ok_or_else(|| search.no_neighbour(i, place.0))?);
         }
     }
     Ok(pairs)
@@ -287,13 +221,12 @@ fn check_widths(
     pairs: &[FacePair],
     distance: f64,
 ) -> Result<(), GeomError> {
-    for (face, own) in faces.iter().enumerate() {
-        if !pairs.iter().any(|pair| pair.faces == [face; 2]) {
-            continue;
-        }
+    let to_itself = pairs.iter().filter(|pair| pair.faces[0] == pair.faces[1]);
+    let own: BTreeSet<usize> = to_itself.map(|pair| pair.faces[0]).collect();
+    for face in own {
         let own_edges = || edges.iter().filter(|edge| edge.face == face);
         let along: f64 = own_edges().map(|edge| edge.curve.length(edge.curve.domain())).sum();
-        let width = 2.0 * own.area()? / along;
+        let width = 2.0 * faces[face].area()? / along;
         if width <= 2.0 * distance {
             let point = own_edges().next().map_or(DVec3::ZERO, |edge| edge.curve.start());
             return Err(FaceError::Narrow { face, width, tolerance: distance, point }.into());
@@ -310,6 +243,10 @@ pub(super) fn hanging_together(
     n_faces: usize,
     pairs: &[FacePair],
 ) -> Result<Vec<Vec<(usize, f64)>>, GeomError> {
+    let mut beside: Vec<Vec<&FacePair>> = vec![Vec::new(); n_faces];
+    for pair in pairs {
+        beside[pair.faces[0]].push(pair);
+    }
     let mut signs: Vec<Option<f64>> = vec![None; n_faces];
     let mut found = Vec::new();
     for first in 0..n_faces {
@@ -320,7 +257,7 @@ pub(super) fn hanging_together(
         let (mut shell, mut next) = (vec![(first, 1.0)], 0);
         while let Some(&(face, sign)) = shell.get(next) {
             next += 1;
-            for pair in pairs.iter().filter(|pair| pair.faces[0] == face) {
+            for pair in &beside[face] {
                 let other = pair.faces[1];
                 let wanted = if pair.must_turn { -sign } else { sign };
                 match signs[other] {
@@ -338,56 +275,4 @@ pub(super) fn hanging_together(
         found.push(shell);
     }
     Ok(found)
-}
-
-/// The face of an edge, and that on the other side of a place of it.
-///
-/// # Errors
-/// [`FaceError::OpenShell`] where there is none, [`FaceError::CrowdedShell`] of several.
-pub(super) fn neighbour(
-    edges: &[FaceBorderEdge],
-    own: usize,
-    (point, along): (DVec3, DVec3),
-    distance: f64,
-) -> Result<FacePair, GeomError> {
-    let reach = 2.0 * distance;
-    let (mut there, mut nearest) = (Vec::new(), f64::INFINITY);
-    for (i, other) in edges.iter().enumerate().filter(|&(i, _)| i != own) {
-        let apart = (other.bounds.min - point).max(point - other.bounds.max).max_element();
-        if nearest.max(reach) < apart {
-            continue;
-        }
-        let foot = other.curve.closest(point, distance);
-        nearest = nearest.min(foot.distance);
-        if foot.distance <= reach {
-            there.push((i, other.curve.derivatives_at(foot.parameter, 1)[1]));
-        }
-    }
-    // Near a corner the edges that end there are as near as the neighbour.
-    if 1 < there.len() {
-        let runs_beside = |way: DVec3| RUN_BESIDE * norm(way) * norm(along) <= along.dot(way).abs();
-        let n_beside = there.iter().filter(|&&(_, way)| runs_beside(way)).count();
-        if n_beside == 1 {
-            there.retain(|&(_, way)| runs_beside(way));
-        }
-    }
-    match there[..] {
-        [(other, way)] => {
-            let faces = [edges[own].face, edges[other].face];
-            Ok(FacePair { faces, must_turn: 0.0 < along.dot(way) })
-        }
-        [] => {
-            let face = edges[own].face;
-            Err(FaceError::OpenShell { face, n_faces: 1 + last_face(edges), gap: nearest, point }
-                .into())
-        }
-        _ => {
-            let faces = there.iter().map(|&(i, _)| edges[i].face).collect();
-            Err(FaceError::CrowdedShell { face: edges[own].face, others: faces, point }.into())
-        }
-    }
-}
-
-fn last_face(edges: &[FaceBorderEdge]) -> usize {
-    edges.iter().map(|edge| edge.face).max().unwrap_or(0)
 }

@@ -55,6 +55,25 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
     NurbsCurve::new(knots, lines.concat())
 }
 
+/// Pieces of one degree that begin where those before them end, as one curve that is displaced by no more than a
+/// distance at each joint.
+///
+/// # Errors
+/// Those of [`join`].
+pub(crate) fn join_pieces(pieces: &[NurbsCurve], distance: f64) -> Result<NurbsCurve, GeomError> {
+    let [first, others @ ..] = pieces else {
+        return Err(CountError::TooFewCurves { got: 0, needed: 1 }.into());
+    };
+    let degree = pieces.iter().map(NurbsCurve::degree).max().unwrap_or(0);
+    let raised = |curve: &NurbsCurve| curve.elevate_degree(degree);
+    let mut joined = Joined::new(raised(first)?.lines());
+    for next in others {
+        joined.append(&raised(next)?.lines(), 1.0, distance);
+    }
+    let ControlLines { knots, lines } = joined.finish()?;
+    NurbsCurve::new(knots, lines.concat())
+}
+
 /// # Errors
 /// [`JointError::Gap`].
 fn check_gaps(curves: &[NurbsCurve], tolerance: f64) -> Result<(), GeomError> {

@@ -8,9 +8,11 @@
 //! cylinder and so on once: no Bézier patch turns back, and its border does not meet itself.
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
-//! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations.
+//! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
+//! planes cut them.
 
 mod apart;
+mod conic;
 mod equation;
 mod plane;
 mod quadric;

@@ -47,6 +47,17 @@ impl NurbsSurface {
     /// decides where it cuts.
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
         let distance = self.line_tolerance(tolerance)?;
+        let mut found = self.lines_in(plane, distance, tolerance)?;
+        found.curves = self.exact_in_plane(found.curves, plane, distance);
+        Ok(found)
+    }
+
+    fn lines_in(
+        &self,
+        plane: Frame,
+        distance: f64,
+        tolerance: Tolerance,
+    ) -> Result<LevelSet, GeomError> {
         let found = self.zeros_of_height(plane, distance);
         if verify::is_certain(&found, distance) {
             return found;

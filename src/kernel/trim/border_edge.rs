@@ -1,0 +1,156 @@
+//! Edges of faces, and what is on the other side of them.
+
+use glam::DVec3;
+
+use super::{Face, FaceError};
+use crate::{Bounds, Frame, GeomError, NurbsCurve, Tolerance, box_tree::BoxTree, frame::norm};
+
+/// Places of each edge where its neighbour is looked for.
+pub(super) const N_PLACES: usize = 24;
+
+/// The least cosine of the angle between edges that run along one another, and do not just end at one corner.
+const RUN_BESIDE: f64 = 0.9;
+
+/// An edge of one of several faces.
+pub(crate) struct FaceBorderEdge {
+    pub(super) face: usize,
+    pub(super) curve: NurbsCurve,
+    bounds: Bounds,
+}
+
+/// The faces on both sides of a place of an edge.
+pub(super) struct FacePair {
+    pub(super) faces: [usize; 2],
+    /// Whether one of both must turn to look as the other does.
+    pub(super) must_turn: bool,
+}
+
+/// The edges of several faces, among which those beside a place are looked for.
+pub(super) struct NeighbourSearch<'e> {
+    edges: &'e [FaceBorderEdge],
+    boxes: BoxTree,
+    /// Within which distance edges are one.
+    distance: f64,
+}
+
+impl FaceBorderEdge {
+    /// Those of faces, which are numbered from `first` on.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`].
+    pub(crate) fn all(
+        faces: &[Face],
+        first: usize,
+        tolerance: Tolerance,
+    ) -> Result<Vec<Self>, GeomError> {
+        let mut edges = Vec::new();
+        for (face, own) in (first..).zip(faces) {
+            edges.extend(own.edges(tolerance)?.into_iter().map(|curve| Self::new(face, curve)));
+        }
+        Ok(edges)
+    }
+
+    /// An edge of the face of a number, with that to its left.
+    pub(super) fn new(face: usize, curve: NurbsCurve) -> Self {
+        let bounds = curve.bounds();
+        Self { face, curve, bounds }
+    }
+
+    /// How far a point is from it, and its way at the place that is nearest.
+    fn nearest(&self, point: DVec3, distance: f64) -> (f64, DVec3) {
+        if self.curve.degree() == 1 && self.curve.control_points().len() == 2 {
+            let (start, way) = (self.curve.start(), self.curve.end() - self.curve.start());
+            let share = ((point - start).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            return (norm(start + way * share - point), way);
+        }
+        let foot = self.curve.closest(point, distance);
+        (foot.distance, self.curve.derivatives_at(foot.parameter, 1)[1])
+    }
+
+    /// Where it comes to a plane.
+    pub(crate) fn places_in(&self, plane: Frame, tolerance: Tolerance) -> Vec<DVec3> {
+        let height = |point: DVec3| (point - plane.origin()).dot(plane.z());
+        let (lowest, highest) = self
+            .bounds
+            .corners()
+            .into_iter()
+            .map(height)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
+        if highest < -tolerance.distance || tolerance.distance < lowest {
+            return Vec::new();
+        }
+        let parameters = self.curve.plane_parameters(plane, tolerance).into_iter();
+        let ends = [self.curve.start(), self.curve.end()].into_iter();
+        let ends = ends.filter(|&end| height(end).abs() <= tolerance.distance);
+        ends.chain(parameters.map(|t| self.curve.point_at(t))).collect()
+    }
+
+    /// Places between its ends, each a point and the way of the edge there.
+    pub(super) fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
+        let domain = self.curve.domain();
+        (0..N_PLACES).map(move |k| {
+            let t = domain.at((k as f64 + 0.5) / N_PLACES as f64);
+            let derivatives = self.curve.derivatives_at(t, 1);
+            (derivatives[0], derivatives[1])
+        })
+    }
+}
+
+impl<'e> NeighbourSearch<'e> {
+    pub(super) fn new(edges: &'e [FaceBorderEdge], distance: f64) -> Self {
+        let boxes = BoxTree::new(edges.iter().map(|edge| edge.bounds).collect());
+        Self { edges, boxes, distance }
+    }
+
+    /// The face of an edge, and that on the other side of a place of it; none where there is none.
+    ///
+    /// # Errors
+    /// [`FaceError::CrowdedShell`] of several.
+    pub(super) fn neighbour(
+        &self,
+        own: usize,
+        (point, along): (DVec3, DVec3),
+    ) -> Result<Option<FacePair>, GeomError> {
+        let (edges, reach) = (self.edges, 2.0 * self.distance);
+        let mut there = Vec::new();
+        for i in self.boxes.beside(point, reach).into_iter().filter(|&i| i != own) {
+            let (gap, way) = edges[i].nearest(point, self.distance);
+            if gap <= reach {
+                there.push((i, way));
+            }
+        }
+        // Near a corner the edges that end there are as near as the neighbour.
+        if 1 < there.len() {
+            let runs_beside =
+                |way: DVec3| RUN_BESIDE * norm(way) * norm(along) <= along.dot(way).abs();
+            let n_beside = there.iter().filter(|&&(_, way)| runs_beside(way)).count();
+            if n_beside == 1 {
+                there.retain(|&(_, way)| runs_beside(way));
+            }
+        }
+        match there[..] {
+            [(other, way)] => {
+                let faces = [edges[own].face, edges[other].face];
+                Ok(Some(FacePair { faces, must_turn: 0.0 < along.dot(way) }))
+            }
+            [] => Ok(None),
+            _ => {
+                let faces = there.iter().map(|&(i, _)| edges[i].face).collect();
+                Err(FaceError::CrowdedShell { face: edges[own].face, others: faces, point }.into())
+            }
+        }
+    }
+
+    /// That there is none at a point of an edge.
+    pub(super) fn no_neighbour(&self, own: usize, point: DVec3) -> GeomError {
+        let mut gap = f64::INFINITY;
+        for (_, other) in self.edges.iter().enumerate().filter(|&(i, _)| i != own) {
+            let apart = (other.bounds.min - point).max(point - other.bounds.max).max_element();
+            if apart <= gap {
+                gap = gap.min(other.nearest(point, self.distance).0);
+            }
+        }
+        let n_faces = 1 + self.edges.iter().map(|edge| edge.face).max().unwrap_or(0);
+        FaceError::OpenShell { face: self.edges[own].face, n_faces, gap, point }.into()
+    }
+}

@@ -1,0 +1,181 @@
+//! Planes cut planes, quadrics and the circles of tori exactly: lengths, areas and volumes by closed forms.
+
+use std::f64::consts::{PI, TAU};
+
+use virote_kernel::{
+    ConicKind, Frame, NurbsCurve, NurbsSurface, Solid,
+    glam::{DAffine3, DVec3},
+};
+
+use super::solid::{TOLERANCE, ball, polygon, region, whole};
+
+/// As near as sums of some hundred numbers come to closed forms.
+const EXACT: f64 = 1e-13;
+
+fn plane(origin: DVec3, normal: DVec3) -> Frame {
+    Frame::from_normal(origin, normal, None).expect("a plane")
+}
+
+fn section(surface: &NurbsSurface, plane: Frame) -> Vec<NurbsCurve> {
+    surface.section(plane, TOLERANCE).expect("a section").curves
+}
+
+fn cone(radii: [f64; 2], height: f64) -> NurbsSurface {
+    NurbsSurface::cone(Frame::XY, radii, height).expect("a cone")
+}
+
+fn length(curves: &[NurbsCurve]) -> f64 {
+    curves.iter().map(|curve| curve.length(curve.domain())).sum()
+}
+
+#[track_caller]
+fn assert_exact(found: f64, expected: f64) {
+    assert!((found / expected - 1.0).abs() <= EXACT, "{found} for {expected}");
+}
+
+/// Each is a conic of a kind, in the plane, and fulfils an equation.
+#[track_caller]
+fn check_conics(
+    curves: &[NurbsCurve],
+    kind: ConicKind,
+    plane: Frame,
+    equation: impl Fn(DVec3) -> f64,
+) {
+    assert!(!curves.is_empty());
+    for curve in curves {
+        assert_eq!(curve.conic_kind(), Ok(kind));
+        for point in curve.sample(40) {
+            assert!((point - plane.origin()).dot(plane.z()).abs() <= 1e-14, "{point}");
+            assert!(equation(point).abs() <= 1e-13, "{point}");
+        }
+    }
+}
+
+#[test]
+fn a_plane_cuts_a_sphere_in_an_exact_circle_wherever_it_is_turned() {
+    let place = DVec3::new(0.5, -1.0, 2.0);
+    let sphere = NurbsSurface::sphere(Frame::XY.at(place), 2.0).expect("a sphere");
+    for i in 0..12 {
+        let (sine, cosine) = on_circle(0.7 * f64::from(i));
+        let normal = DVec3::new(cosine, sine, 0.3 * f64::from(i) - 1.5).normalize();
+        let depth = 0.15 * f64::from(i);
+        let curves = section(&sphere, plane(place + normal * depth, normal));
+        assert_eq!(curves.len(), 1);
+        assert!(curves[0].degree() == 2 && curves[0].control_points().len() == 9);
+        assert_exact(length(&curves), TAU * (4.0 - depth * depth).sqrt());
+    }
+}
+
+/// About the sine and the cosine of an angle, the same on each platform.
+fn on_circle(angle: f64) -> (f64, f64) {
+    let half = angle / 8.0;
+    let (mut s, mut c) = (half - half.powi(3) / 6.0, 1.0 - half * half / 2.0);
+    for _ in 0..3 {
+        (s, c) = (2.0 * s * c, c * c - s * s);
+    }
+    (s, c)
+}
+
+#[test]
+fn a_plane_cuts_cylinders_and_cones_in_each_kind_of_conic() {
+    let tube = |p: DVec3| p.x * p.x + p.y * p.y - 1.0;
+    let oblique = plane(DVec3::Z * 2.0, DVec3::new(0.5, 0.2, 1.0));
+    check_conics(&section(&cone([1.0, 1.0], 4.0), oblique), ConicKind::Ellipse, oblique, tube);
+    // One that leaves through the rim.
+    let low = plane(DVec3::Z * 0.2, DVec3::new(0.5, 0.2, 1.0));
+    check_conics(&section(&cone([1.0, 1.0], 4.0), low), ConicKind::Ellipse, low, tube);
+
+    let pointed = cone([0.0, 1.0], 4.0);
+    let sides = |p: DVec3| p.x * p.x + p.y * p.y - p.z * p.z / 16.0;
+    let across = plane(DVec3::Z * 2.0, DVec3::new(0.5, 0.2, 1.0));
+    check_conics(&section(&pointed, across), ConicKind::Ellipse, across, sides);
+    let upright = plane(DVec3::X * 0.2, DVec3::X);
+    check_conics(&section(&pointed, upright), ConicKind::Hyperbola, upright, sides);
+}
+
+#[test]
+fn a_plane_along_the_axis_cuts_a_cylinder_in_lines() {
+    let lines = section(&cone([1.0, 1.0], 4.0), plane(DVec3::X * 0.5, DVec3::X));
+    assert_eq!(lines.len(), 2);
+    assert!(lines.iter().all(|line| line.degree() == 1 && line.control_points().len() == 2));
+    assert_exact(length(&lines), 8.0);
+}
+
+#[test]
+fn the_circles_of_a_torus_are_exact() {
+    let ring = NurbsSurface::torus(Frame::XY, 3.0, 1.0).expect("a torus");
+    let flat = section(&ring, plane(DVec3::Z * 0.6, DVec3::Z));
+    assert_eq!(flat.len(), 2);
+    assert_exact(length(&flat), TAU * 6.0);
+    let meridians = section(&ring, plane(DVec3::ZERO, DVec3::new(0.3, 1.0, 0.0)));
+    assert_eq!(meridians.len(), 2);
+    assert_exact(length(&meridians), TAU * 2.0);
+    // Those of Villarceau meet where the plane touches, which is known within the tolerance.
+    let circles = section(&ring, plane(DVec3::ZERO, DVec3::new(1.0, 0.0, 8.0_f64.sqrt())));
+    assert!(circles.iter().all(|circle| circle.degree() == 2));
+    assert!((length(&circles) - TAU * 6.0).abs() < 1e-5);
+    // Others are no conics.
+    let spiric = section(&ring, plane(DVec3::X * 2.5, DVec3::X));
+    assert!(spiric.iter().all(|curve| curve.degree() == 3));
+}
+
+#[test]
+fn what_is_not_quite_a_cylinder_is_cut_as_it_is() {
+    let sheared = DAffine3::from_cols(DVec3::X, DVec3::Y * (1.0 + 1e-5), DVec3::Z, DVec3::ZERO);
+    let tilted = plane(DVec3::Z * 2.0, DVec3::new(0.5, 0.2, 1.0));
+    let curves = section(&cone([1.0, 1.0], 4.0).transformed(&sheared), tilted);
+    for point in curves[0].sample(40) {
+        let y = point.y / (1.0 + 1e-5);
+        assert!((point.x * point.x + y * y - 1.0).abs() <= 4e-6, "{point}");
+    }
+}
+
+#[test]
+fn a_cut_ball_has_the_volume_and_the_area_of_its_cap() {
+    let solid = Solid::new(&[ball(DVec3::ZERO, 2.0)], TOLERANCE).expect("a ball");
+    for normal in [DVec3::Z, DVec3::X, DVec3::new(1.0, 2.0, 3.0).normalize()] {
+        let depth = 0.3;
+        let cap = solid.cut(plane(normal * depth, normal), true, TOLERANCE).expect("a cut");
+        let cap = cap.expect("a cap");
+        let height = 2.0 - depth;
+        let volume = PI * height * height * (6.0 - height) / 3.0;
+        assert_exact(cap.volume_mass().expect("a volume").amount, volume);
+        let area = TAU * 2.0 * height + PI * (4.0 - depth * depth);
+        assert_exact(cap.area_mass().expect("an area").amount, area);
+        for face in cap.faces() {
+            let edges = face.edges(TOLERANCE).expect("edges");
+            assert!(edges.iter().all(|edge| edge.degree() == 2), "{edges:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cut_tube_has_the_volume_of_a_hoof() {
+    // Half of the mean height over a disc, and a third of the cube of the radius for one through the middle of its floor.
+    let tube = Solid::capped(&[whole(cone([1.0, 1.0], 4.0))], TOLERANCE).expect("a tube");
+    let tilted = plane(DVec3::Z * 2.0, DVec3::new(0.5, 0.2, 1.0));
+    let below = tube.cut(tilted, false, TOLERANCE).expect("a cut").expect("a part");
+    assert_exact(below.volume_mass().expect("a volume").amount, TAU);
+    let slanted = plane(DVec3::ZERO, DVec3::new(-1.0, 0.0, 1.0));
+    let hoof = tube.cut(slanted, false, TOLERANCE).expect("a cut").expect("a hoof");
+    assert_exact(hoof.volume_mass().expect("a volume").amount, 2.0 / 3.0);
+}
+
+#[test]
+fn a_prism_is_cut_in_lines() {
+    let corners: Vec<[f64; 3]> = (0..60)
+        .map(|i| {
+            let (sine, cosine) = on_circle(TAU * f64::from(i) / 60.0);
+            [cosine, sine, 0.0]
+        })
+        .collect();
+    let floor = region(&polygon(&corners), &[]);
+    let prism = Solid::extruded(&floor, DVec3::Z, TOLERANCE).expect("a prism");
+    let half = prism.cut(plane(DVec3::Z * 0.5, DVec3::Z), true, TOLERANCE).expect("a cut");
+    let half = half.expect("a half");
+    assert_exact(half.volume_mass().expect("a volume").amount, 0.5 * floor.area());
+    for face in half.faces() {
+        let edges = face.edges(TOLERANCE).expect("edges");
+        assert!(edges.iter().all(|edge| edge.degree() == 1), "{edges:?}");
+    }
+}
