@@ -91,7 +91,7 @@
 //! - [`Solid`] of faces that close, [`Solid::capped`] by plane faces, of a region [`Solid::extruded`] or [`Solid::revolved`];
 //!   [`Solid::cut`] by a plane, [`Solid::section`];
 //!   [`Solid::faces`], [`Solid::shells`], [`Solid::bodies`] with their voids ([`SolidBody`]); [`Solid::topology`], a [`SolidTopology`] of [`SolidEdge`]s;
-//!   [`Solid::volume_mass`], [`Solid::area_mass`], [`Solid::mesh`], [`Solid::closest`] with its [`SolidClosestPoint`], [`Solid::side_of`], [`Solid::piercings`] with its [`CurveSolidIntersection`].
+//!   [`Solid::contents`] (its [`SolidContents`]), [`Solid::volume_mass`], [`Solid::area_mass`], [`Solid::mesh`], [`Solid::closest`] with its [`SolidClosestPoint`], [`Solid::side_of`], [`Solid::piercings`] with its [`CurveSolidIntersection`].
 //! - What is refused: [`SolidError`].
 //!
 //! ## Approximate
@@ -219,8 +219,8 @@ pub use skin::{
     with_seam_at_corner,
 };
 pub use solid::{
-    CurveSolidIntersection, Solid, SolidBody, SolidClosestPoint, SolidEdge, SolidError,
-    SolidTopology,
+    CurveSolidIntersection, Solid, SolidBody, SolidClosestPoint, SolidContents, SolidEdge,
+    SolidError, SolidTopology,
 };
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,

@@ -3,9 +3,10 @@
 //! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
 //! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it, `sweep` regions
 //! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
-//! that they share, `place` where points are.
+//! that they share, `place` where points are, `contents` what it is made of.
 
 mod caps;
+mod contents;
 mod cut;
 mod error;
 mod mesh;
@@ -23,6 +24,7 @@ use crate::{
     trim::{EnclosedShell, FaceBorderEdge, amid, enclosed_shells},
 };
 
+pub use contents::SolidContents;
 pub use error::SolidError;
 pub use nesting::SolidBody;
 pub use piercing::CurveSolidIntersection;

@@ -160,3 +160,13 @@ pub(crate) const CONIC_RELATIVE: f64 = 2e-12;
 ///
 /// Larger approximates flat arcs; smaller computes weights of rounding.
 pub(crate) const CONIC_SHARE: f64 = 1e-6;
+
+/// The shortest part of an arc of parameters that tells whether it is a conic in space, as a fraction of its domain.
+///
+/// Larger misses conics beside a corner; smaller asks pieces that are all but straight.
+pub(crate) const CONIC_PART: f64 = 0.015625;
+
+/// The least quotient of the squared radii of an ellipse that is made about its centre.
+///
+/// Larger makes pieces between tangents of what is round; smaller computes with a centre that is far away.
+pub(crate) const ROUNDNESS_RELATIVE: f64 = 1e-3;

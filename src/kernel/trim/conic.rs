@@ -11,7 +11,7 @@ use super::pull::chebyshev_fraction;
 use crate::{
     Frame, KnotVector, NurbsCurve, NurbsSurface,
     numeric::linear::solved,
-    tolerance::{CONIC_RELATIVE, CONIC_SHARE},
+    tolerance::{CONIC_PART, CONIC_RELATIVE, CONIC_SHARE},
 };
 
 /// Spans of an arc of which a conic is made.
@@ -19,10 +19,7 @@ const MOST_SPANS: usize = 256;
 
 /// About where on a piece the conic goes through places, and where it is compared.
 const THROUGH: [f64; 3] = [0.25, 0.75, 0.5];
-const COMPARED: [f64; 6] = [0.06, 0.14, 0.36, 0.5, 0.64, 0.9];
-
-/// The shortest part of an arc that tells whether it is a conic, as a fraction of its domain.
-const LEAST_PART: f64 = 1.0 / 64.0;
+const COMPARED: [f64; 6] = [0.1, 0.16, 0.36, 0.5, 0.64, 0.9];
 
 /// Weights in the middle and at the end of a piece, where that at its start is one.
 const WEIGHTS: [f64; 2] = [0.2, 5.0];
@@ -44,7 +41,7 @@ pub(super) fn conic_of(surface: &NurbsSurface, arc: &NurbsCurve) -> Option<Nurbs
     while from + 1 < breaks.len() {
         // The first piece tells whether there is a conic at all; then each goes as far as it can.
         let mut piece = None;
-        let wide = breaks[from] + LEAST_PART * (breaks[breaks.len() - 1] - breaks[0]);
+        let wide = breaks[from] + CONIC_PART * (breaks[breaks.len() - 1] - breaks[0]);
         let first = breaks.partition_point(|&t| t < wide).clamp(from + 1, breaks.len() - 1);
         let (mut low, mut high) = (first, breaks.len());
         let mut to = low;

@@ -1,9 +1,11 @@
-//! `report`: what a construction did.
+//! `report`: what a construction did, and what a solid is made of.
+
+use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{ConstructionReport, Curve, Surface},
-    value::{Ctx, Geometry, IntoValue, Value, op},
+    kernel::{ConstructionReport, Curve, Solid, Surface},
+    value::{At, Ctx, Geometry, IntoValue, Length, LengthPower, Record, Value, op},
 };
 
 op! {
@@ -16,18 +18,24 @@ op! {
     /// operation: whatever is made of the result has no report, or its own.
     /// A `deviation` is `{max, mean, at}` with `at` the parameter where it is largest; of one that
     /// is proven instead of measured only its bound is told.
+    ///
+    /// Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
+    /// and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
+    /// edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
+    /// integral, and by what faces may miss one another within the document's tolerance along their edges.
     report in Measure -> Value {
-        /// A curve or surface as a construction returned it, or a list of them.
+        /// A curve or surface as a construction returned it, a solid, or a list of them.
         g: Spanned<Geometry>,
     }
     example "report(interpolate((0, 0), (1, 1), (2, 0))).parameters" => "[0, 0.5, 1]";
     example "report(reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02)).degree" => "1";
+    example "report(solid(box((0, 0, 0), (1, 2, 3)))).edges" => "12";
+    example "{ let r = report(solid([sphere((0, 0), 2), sphere((0, 0), 1)]))  [r.shells, r.bodies] }" => "[2, 1]";
     refuses "report(line((0, 0), (1, 2)))" => "E0306: this is a curve that no construction with a report returned";
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let place = |mistake: MissingReport| mistake.diagnostic(args.g.span);
-    reported(&args.g.value.0).map_err(place)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
+    reported(&args.g.value.0, args.g.span, ctx)
 }
 
 /// A value without a report.
@@ -40,7 +48,7 @@ impl MissingReport {
             Value::Curve(_) | Value::Surface(_) => {
                 format!("this is {what} that no construction with a report returned")
             }
-            _ => format!("{what} has no report: only curves and surfaces do"),
+            _ => format!("{what} has no report: only curves, surfaces and solids do"),
         };
         let hint = "fits, networks, skins, sweeps, offsets and edits within a tolerance leave one; \
                     what is made of their result does not have it";
@@ -50,16 +58,37 @@ impl MissingReport {
     }
 }
 
-fn reported(value: &Value) -> std::result::Result<Value, MissingReport> {
+fn reported(value: &Value, span: Span, ctx: &Ctx<'_>) -> Result<Value> {
     let report: Option<&ConstructionReport> = match value {
         Value::List(items) => {
-            return Ok(Value::list(
-                items.iter().map(reported).collect::<std::result::Result<_, _>>()?,
-            ));
+            let reports = items.iter().map(|item| reported(item, span, ctx));
+            return Ok(Value::list(reports.collect::<Result<_>>()?));
         }
+        Value::Solid(solid) => return made_of(solid, span, ctx),
         Value::Curve(Curve::Nurbs(curve)) => curve.report(),
         Value::Surface(Surface::Nurbs(surface)) => surface.report(),
         _ => None,
     };
-    report.map(IntoValue::into_value).ok_or_else(|| MissingReport(value.clone()))
+    let missing = || MissingReport(value.clone()).diagnostic(span);
+    report.map(IntoValue::into_value).ok_or_else(missing)
+}
+
+/// What a solid is made of.
+fn made_of(solid: &Solid, span: Span, ctx: &Ctx<'_>) -> Result<Value> {
+    let found = solid.contents(ctx.tolerance).at(span)?;
+    let count = |n: usize| Value::number(n as f64);
+    let entries = [
+        ("faces", count(found.n_faces)),
+        ("edges", count(found.n_edges)),
+        ("vertices", count(found.n_vertices)),
+        ("shells", count(found.n_shells)),
+        ("bodies", count(found.n_bodies)),
+        ("genus", Value::number(found.genus as f64)),
+        ("closed", Value::Bool(true)),
+        ("volume", LengthPower::<3>(found.volume).into_value()),
+        ("volume_error", LengthPower::<3>(found.volume_error).into_value()),
+        ("area", LengthPower::<2>(found.area).into_value()),
+        ("least_edge", found.least_edge.map_or(Value::None, |length| Length(length).into_value())),
+    ];
+    Ok(Record::new(entries.map(|(name, value)| (Arc::from(name), value))).into_value())
 }

@@ -17,7 +17,7 @@ impl Surface {
     /// and complete; a function is cut as a spline that near.
     ///
     /// A patch that lies in the plane is told by its border, a line along which the plane touches
-    /// the surface as a line, a point in which it touches as a point. Lines are cubic splines in the
+    /// the surface as a line, a point in which it touches as a point. Lines are exact where they are conics, and cubic splines in the
     /// plane, parametrized about by their length.
     ///
     /// # Errors

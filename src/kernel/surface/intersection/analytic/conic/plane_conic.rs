@@ -5,14 +5,11 @@ use glam::{DMat2, DMat3, DVec2, DVec3, DVec4};
 use crate::{
     Frame,
     numeric::{linear::TwoEquations, symmetric_eigen::eigen_of_two},
-    tolerance::{LAST_BIT, ROUND_RELATIVE},
+    tolerance::{LAST_BIT, ROUND_RELATIVE, ROUNDNESS_RELATIVE},
 };
 
 /// Steps of Newton's method onto a conic.
 const STEPS: usize = 8;
-
-/// The least quotient of the eigenvalues of an ellipse that is made about its centre.
-const LEAST_QUOTIENT: f64 = 1e-3;
 
 /// The points (x, y) of a plane with p·Mp = 0, where p = (x, y, 1).
 #[derive(Clone, Copy, Debug)]
@@ -91,7 +88,7 @@ impl PlaneConic {
         let squares = DMat2::from_mat3(self.matrix);
         let linear = self.matrix.z_axis.truncate();
         let [(small, axis), (large, _)] = eigen_of_two(squares);
-        if small * large <= 0.0 || small.abs() < LEAST_QUOTIENT * large.abs() {
+        if small * large <= 0.0 || small.abs() < ROUNDNESS_RELATIVE * large.abs() {
             return None;
         }
         let [x, y] = TwoEquations::symmetric(squares.x_axis.x, squares.x_axis.y, squares.y_axis.y)

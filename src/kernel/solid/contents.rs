@@ -1,0 +1,77 @@
+//! What a solid is made of, counted and measured.
+
+use super::{Solid, box_around};
+use crate::{GeomError, Tolerance};
+
+/// What a solid is made of.
+///
+/// ```
+/// use std::{f64::consts::PI, sync::Arc};
+/// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+///
+/// let ring = Arc::new(NurbsSurface::torus(Frame::XY, 3.0, 1.0)?);
+/// let ring = Solid::new(&[Face::whole(ring, Tolerance::DEFAULT)?], Tolerance::DEFAULT)?;
+/// let found = ring.contents(Tolerance::DEFAULT)?;
+/// assert_eq!((found.n_faces, found.n_shells, found.n_bodies, found.genus), (1, 1, 1, 1));
+/// assert!((found.volume - 6.0 * PI * PI).abs() <= found.volume_error);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SolidContents {
+    /// How many faces it has.
+    pub n_faces: usize,
+    /// The edges that faces have in common, without seams, each once.
+    pub n_edges: usize,
+    /// The places where these end.
+    pub n_vertices: usize,
+    /// Closed sets of faces.
+    pub n_shells: usize,
+    /// Shells that are no voids.
+    pub n_bodies: usize,
+    /// How many handles it has, all shells together.
+    pub genus: i64,
+    /// How much it encloses, cubed model units.
+    pub volume: f64,
+    /// How far that may be off: by what is known of the integral, and by what faces may miss one another within the
+    /// tolerance along their edges.
+    pub volume_error: f64,
+    /// The area of all faces, squared model units.
+    pub area: f64,
+    /// The length of the shortest edge, model units; none without edges.
+    pub least_edge: Option<f64>,
+}
+
+impl Solid {
+    /// What it is made of.
+    ///
+    /// Beside an edge faces may leave a strip no wider than twice the tolerance, through which the flux is no more
+    /// than its area times how far it is from the middle.
+    ///
+    /// # Errors
+    /// Those of [`Self::topology`] and [`Self::volume_mass`].
+    pub fn contents(&self, tolerance: Tolerance) -> Result<SolidContents, GeomError> {
+        let topology = self.topology(tolerance)?;
+        let around = box_around(&self.faces);
+        let mut is_end = vec![false; topology.vertices.len()];
+        let mut lengths = Vec::new();
+        for edge in topology.edges.iter().filter(|edge| !edge.is_seam()) {
+            edge.vertices.into_iter().for_each(|end| is_end[end] = true);
+            lengths.push(edge.curve.length(edge.curve.domain()));
+        }
+        let volume = self.volume_mass()?;
+        let widest = 2.0 * tolerance.distance_for(around.diagonal());
+        let strips = widest * lengths.iter().sum::<f64>() * 0.5 * around.diagonal() / 3.0;
+        Ok(SolidContents {
+            n_faces: self.faces.len(),
+            n_edges: lengths.len(),
+            n_vertices: is_end.into_iter().filter(|&is_end| is_end).count(),
+            n_shells: self.shells.len(),
+            n_bodies: self.bodies()?.len(),
+            genus: topology.genus(),
+            volume: volume.amount,
+            volume_error: volume.relative_error * volume.amount + strips,
+            area: self.area_mass()?.amount,
+            least_edge: lengths.into_iter().reduce(f64::min),
+        })
+    }
+}
