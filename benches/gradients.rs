@@ -23,7 +23,8 @@ const THROUGH: &str = "let f = x => length(interpolate([for i in 0..49: (i, x[i]
 const LOFT: &str = "let f = x => area(skin([for i in 0..9: bspline([for j in 0..4: (i, j, x[5*i + j])], degree = 3)]))\n";
 
 /// A surface through five by ten points, its knots by their distances: its area.
-const GRID: &str = "let f = x => area(interpolate([for i in 0..4: [for j in 0..9: (i, j, x[10*i + j])]]))\n";
+const GRID: &str =
+    "let f = x => area(interpolate([for i in 0..4: [for j in 0..9: (i, j, x[10*i + j])]]))\n";
 
 /// What is within a spline through fifty points: its area.
 const REGION: &str = "let f = x => area(region(interpolate([for i in 0..50: polar(5 + x[if i == 50 then 0 else i], i/50*1turn)])))\n";
