@@ -241,7 +241,7 @@ proptest! {
         let all = PointSlopes::new(2, points.len(), vec![(1, slopes.clone())]).unwrap();
         let fit = fit(&points);
         let varied = interpolate_varied((&fit, ends), rule, &points, &all).unwrap().unwrap();
-        prop_assert_eq!(&**varied.given(), &spline(0.0));
+        prop_assert!(**varied.given() == spline(0.0));
         let jet = Jet::with_slopes(at, &[0.0, 0.0]).unwrap();
         let found = varied.derivatives_beside(&jet, Side::Right, 1).unwrap();
         let is_far = fit.knots().breaks().iter().all(|knot| 1e-3 < (knot - at).abs());
@@ -345,6 +345,11 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    // Solids take long to measure.
+    #![proptest_config(ProptestConfig::with_cases(4))]
 
     #[test]
     fn what_a_region_passes_grows_with_it(ring in moving_ring(), speed in some::point()) {
