@@ -49,7 +49,9 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         | Value::JetPoint(_)
         | Value::JetRange(_)
         | Value::JetCurve(_)
-        | Value::JetSurface(_) => to_python(py, &held.with(held.looked_at()))?,
+        | Value::JetSurface(_)
+        | Value::JetRegion(_)
+        | Value::JetSolid(_) => to_python(py, &held.with(held.looked_at()))?,
         Value::Function(_)
         | Value::Curve(_)
         | Value::Surface(_)

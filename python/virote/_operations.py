@@ -1786,8 +1786,8 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
     The border of a face from corner to corner, with the face to the left, seen from the tip of Su × Sv.
 
     A loop without corners is one closed curve. A seam over which the face goes is no border. Along lines
-    of constant parameters, and on planes, edges are exact; elsewhere cubic or quintic splines within an eighth of the
-    document's tolerance.
+    of constant parameters, on planes, and where they are conics, edges are exact; elsewhere cubic or quintic
+    splines within an eighth of the document's tolerance.
     :param f: The face.
 
     In scripts: ``edges(f: face) -> list of curves``
@@ -1795,7 +1795,8 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
     The edges that faces of a solid have in common, each once, from vertex to vertex.
 
     Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
-    constant parameters, and on planes, edges are exact; elsewhere splines within an eighth of the document's tolerance.
+    constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth
+    of the document's tolerance.
     :param s: The solid.
 
     In scripts: ``edges(s: solid) -> list of curves``
@@ -2489,6 +2490,8 @@ def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = 
     both sides. Curves that share a stretch are an error that tells which.
     A parametric curve is searched as the spline that `length` tells of; each place is then found
     on the function itself.
+    Where two curves cross clearly, inside of both, derivatives pass through; of what moves out of the plane of both
+    tangents there is none in `t` and `s`.
     Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
 
     :param a: One curve.
@@ -3731,7 +3734,12 @@ def report(g: Any) -> Any:
     A `deviation` is `{max, mean, at}` with `at` the parameter where it is largest; of one that
     is proven instead of measured only its bound is told.
 
-    :param g: A curve or surface as a construction returned it, or a list of them.
+    Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
+    and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
+    edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
+    integral, and by what faces may miss one another within the document's tolerance along their edges.
+
+    :param g: A curve or surface as a construction returned it, a solid, or a list of them.
 
     In scripts: ``report(g: geometry) -> any``
     """
@@ -3942,8 +3950,9 @@ def section(*args: Any, g: Any = None, plane: Any = None, s: Any = None) -> Any:
     Curves in which a plane cuts a surface or touches it.
 
     Found completely, by the signs of Bernstein coefficients and not by samples: no loop is too small.
-    They are cubic splines in the plane, within the document's tolerance, parametrized about by
-    their length; to their left, seen from the side of the surface's normal, the surface is above the
+    Where the surface is a plane, sphere, cylinder or cone they are exact lines and conics, and the circles
+    of a torus are exact; others are cubic splines in the plane, within the document's tolerance, parametrized
+    about by their length. To their left, seen from the side of the surface's normal, the surface is above the
     plane. They end at the surface's boundary, and where several cross. A patch that lies in the plane is
     told by its border; of a touch in a single point a warning tells. A plane that misses gives an
     empty list. A parametric surface is cut as a spline within a quarter of the tolerance.

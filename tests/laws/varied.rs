@@ -335,9 +335,9 @@ proptest! {
             varied.second_moment_slopes([axes[d], axes[e]]).unwrap()[0]
         };
         let trace = second(0, 0) + second(1, 1) + second(2, 2);
-        for d in 0..3 {
+        for (d, &axis) in axes.iter().enumerate() {
             let place = central(|h| region(h).mass().centroid[d]);
-            prop_assert!(is_near(varied.centroid_slopes(axes[d]).unwrap()[0], place, size));
+            prop_assert!(is_near(varied.centroid_slopes(axis).unwrap()[0], place, size));
             for e in 0..3 {
                 let expected = central(|h| inertia(h).col(e)[d]);
                 let found = if d == e { trace - second(d, e) } else { -second(d, e) };

@@ -6,6 +6,9 @@
 /// Halvings of the bracket of a border or root: all bits of an `f64` on 0..1.
 pub(crate) const BISECTIONS: usize = 60;
 
+/// Bisections towards the largest radius of a fillet, which is told with four digits; each rounds all corners.
+pub(crate) const RADIUS_BISECTIONS: usize = 16;
+
 /// Golden sections of a bracket towards the least value: all digits that a minimum has, and more.
 pub(crate) const GOLDEN_SECTIONS: usize = 60;
 

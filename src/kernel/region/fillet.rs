@@ -8,10 +8,10 @@ use glam::DVec3;
 use super::{PlaneLoop, Region, RegionError, offset::arc_about};
 use crate::{
     ConstructionError, GeomError, InputError, Interval, NurbsCurve, PictureError, Side, Tolerance,
-    ceiling::{BISECTIONS, NEWTON_STEPS},
+    ceiling::{NEWTON_STEPS, RADIUS_BISECTIONS},
     frame::norm,
     numeric::{
-        bisection::bisected,
+        bisection::try_bisected,
         newton::{NewtonStep, within_limits},
     },
     tolerance::LAST_BIT,
@@ -47,15 +47,35 @@ impl Region {
         let tolerance = tolerance.with_distance(tolerance.distance_for(size));
         let chosen = at.map(|points| self.corners_at(points, tolerance)).transpose()?;
         let chosen = chosen.as_deref();
-        self.with_rounded(chosen, radius, tolerance).map_err(|error| match error {
-            GeomError::Region(RegionError::NoRoom { point, .. }) => {
-                let fits = |radius: f64| self.with_rounded(chosen, radius, tolerance).is_ok();
-                let most = bisected([0.0, radius], BISECTIONS / 2, fits)[0];
-                let most = (0.0 < most).then_some(most);
-                RegionError::NoRoom { point, radius, most }.into()
+        match self.with_rounded(chosen, radius, tolerance) {
+            Err(GeomError::Region(RegionError::NoRoom { point, .. })) => {
+                let most = self.largest_radius(chosen, radius, tolerance)?;
+                Err(RegionError::NoRoom { point, radius, most }.into())
             }
-            other => other,
-        })
+            found => found,
+        }
+    }
+
+    /// A radius below one that is too large for which the corners are rounded, nearly the largest.
+    ///
+    /// # Errors
+    /// Where the work is ended.
+    fn largest_radius(
+        &self,
+        chosen: Option<&[(usize, usize)]>,
+        radius: f64,
+        tolerance: Tolerance,
+    ) -> Result<Option<f64>, GeomError> {
+        let fits = |found: Result<(), GeomError>| match found {
+            Err(GeomError::Ended) => Err(GeomError::Ended),
+            other => Ok(other.is_ok()),
+        };
+        // Whether rounded corners meet others elsewhere is looked at once, in the end.
+        let corner_by_corner =
+            |radius: f64| fits(self.rounded_loops(chosen, radius, tolerance).map(|_| ()));
+        let most = try_bisected([0.0, radius], RADIUS_BISECTIONS, corner_by_corner)?[0];
+        let is_some = 0.0 < most && fits(self.with_rounded(chosen, most, tolerance).map(|_| ()))?;
+        Ok(is_some.then_some(most))
     }
 
     /// The region with those corners rounded that are chosen; all where nothing is said.
@@ -68,12 +88,7 @@ impl Region {
         radius: f64,
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
-        let is_chosen =
-            |corner: (usize, usize)| chosen.is_none_or(|chosen| chosen.contains(&corner));
-        let loops = self.loops.iter().enumerate().map(|(number, border)| {
-            self.rounded(border, |arc| is_chosen((number, arc)), radius, tolerance)
-        });
-        let loops = loops.collect::<Result<_, GeomError>>()?;
+        let loops = self.rounded_loops(chosen, radius, tolerance)?;
         let region = Self { frame: self.frame, loops };
         region.check_borders(tolerance.distance).map_err(|error| match error {
             GeomError::Picture(PictureError::Crossing { point, .. }) => {
@@ -82,6 +97,21 @@ impl Region {
             other => other,
         })?;
         Ok(region)
+    }
+
+    /// The loops with those corners rounded, which may cross.
+    fn rounded_loops(
+        &self,
+        chosen: Option<&[(usize, usize)]>,
+        radius: f64,
+        tolerance: Tolerance,
+    ) -> Result<Vec<PlaneLoop>, GeomError> {
+        let is_chosen =
+            |corner: (usize, usize)| chosen.is_none_or(|chosen| chosen.contains(&corner));
+        let loops = self.loops.iter().enumerate().map(|(number, border)| {
+            self.rounded(border, |arc| is_chosen((number, arc)), radius, tolerance)
+        });
+        loops.collect()
     }
 
     /// The corners nearest to points: the number of the loop and of the arc before.

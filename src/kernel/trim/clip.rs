@@ -1,6 +1,10 @@
 //! What of curves on the surface of a face lies on the face.
 
-use super::{Face, division::BORDER, pull::arcs_on_surface};
+use super::{
+    Face,
+    division::BORDER,
+    pull::{ArcParameters, arcs_on_surface},
+};
 use crate::{
     GeomError, Interval, NurbsCurve, Region, RegionSide, Tolerance,
     arrange::{Apart, Arrangement, RaySearch, Ring},
@@ -41,7 +45,8 @@ impl Face {
         let mut found = Vec::new();
         for (index, curve) in curves.iter().enumerate() {
             let limits = [distance, tolerance.angle];
-            let arcs = arcs_on_surface(&self.plane, curve, None, ("curve", index), limits)?;
+            let (named, parameters) = (("curve", index), ArcParameters::OfCurve);
+            let arcs = arcs_on_surface(&self.plane, curve, None, named, limits, parameters)?;
             let kept = self.intervals_inside(&arcs, distance).map_err(self.in_space())?;
             found.extend(pieces(curve, &kept, distance)?);
         }

@@ -17,9 +17,11 @@ use crate::{
 /// Spans of an arc of which a conic is made.
 const MOST_SPANS: usize = 256;
 
-/// About where on a piece the conic goes through places, and where it is compared.
+/// About where on a piece the conic goes through places.
 const THROUGH: [f64; 3] = [0.25, 0.75, 0.5];
-const COMPARED: [f64; 6] = [0.1, 0.16, 0.36, 0.5, 0.64, 0.9];
+
+/// Places within each span of an arc in which the conic is compared at most.
+const MOST_COMPARED: usize = 16;
 
 /// Weights in the middle and at the end of a piece, where that at its start is one.
 const WEIGHTS: [f64; 2] = [0.2, 5.0];
@@ -36,6 +38,9 @@ pub(super) fn conic_of(surface: &NurbsSurface, arc: &NurbsCurve) -> Option<Nurbs
         surface.point_at(place.x.clamp(u.start(), u.end()), place.y.clamp(v.start(), v.end()))
     };
     let allowed = CONIC_RELATIVE * surface.bounds().magnitude();
+    // What is left of the difference from a conic vanishes in no more places of a span than its degree.
+    let degree = arc.degree() * (surface.degree_u() + surface.degree_v()) + 2;
+    let n_compared = MOST_COMPARED.min(degree + 1);
     let mut pieces: Vec<(f64, [DVec4; 3])> = Vec::new();
     let mut from = 0;
     while from + 1 < breaks.len() {
@@ -46,7 +51,8 @@ pub(super) fn conic_of(surface: &NurbsSurface, arc: &NurbsCurve) -> Option<Nurbs
         let (mut low, mut high) = (first, breaks.len());
         let mut to = low;
         while low < high {
-            match conic_between(&at, &nodes(&breaks[from..=to], arc.degree()), allowed) {
+            let spans = (&breaks[from..=to], arc.degree());
+            match conic_between(&at, spans, n_compared, allowed) {
                 Some(found) => (piece, low) = (Some((breaks[to], found)), to + 1),
                 None => high = to,
             }
@@ -83,9 +89,15 @@ fn nodes(breaks: &[f64], degree: usize) -> Vec<f64> {
     nodes
 }
 
-/// The Bézier points of the conic that a curve is from the first of some parameters to the last, by the places of some
-/// of them; of weight one at the first.
-fn conic_between(at: &impl Fn(f64) -> DVec3, nodes: &[f64], allowed: f64) -> Option<[DVec4; 3]> {
+/// The Bézier points of the conic that a curve is over some spans of a degree, by exact places within them, where in
+/// every span so many places are on it; of weight one at the first.
+fn conic_between(
+    at: &impl Fn(f64) -> DVec3,
+    (breaks, degree): (&[f64], usize),
+    n_compared: usize,
+    allowed: f64,
+) -> Option<[DVec4; 3]> {
+    let nodes = nodes(breaks, degree);
     let (from, to) = (*nodes.first()?, *nodes.last()?);
     let place = |fraction: f64| at(from + (to - from) * fraction);
     let node = |fraction: f64| {
@@ -133,5 +145,11 @@ fn conic_between(at: &impl Fn(f64) -> DVec3, nodes: &[f64], allowed: f64) -> Opt
         let sum = points[0] * (s * s) + points[1] * (2.0 * t * s) + points[2] * (t * t);
         (sum.truncate() / sum.w).distance(place(t))
     };
-    COMPARED.into_iter().all(|t| misses(t) <= allowed).then_some(points)
+    let is_on = |span: &[f64]| {
+        (0..n_compared).all(|k| {
+            let t = span[0] + (span[1] - span[0]) * (k as f64 + 0.5) / n_compared as f64;
+            misses((t - from) / (to - from)) <= allowed
+        })
+    };
+    breaks.windows(2).all(is_on).then_some(points)
 }

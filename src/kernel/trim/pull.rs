@@ -51,6 +51,15 @@ pub(super) const MOST_BESIDE: f64 = 4.0;
 /// How far from a second surface a point is, signed, and the direction that leads away from it.
 pub(super) type Height<'a> = dyn Fn(DVec3) -> (f64, DVec3) + 'a;
 
+/// How arcs on a surface are parametrized.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ArcParameters {
+    /// As the curve is: a parameter of an arc is one of the curve.
+    OfCurve,
+    /// In any way: straight arcs are lines between two points.
+    Any,
+}
+
 /// A curve that is followed on a surface.
 pub(super) struct PulledCurve<'a> {
     pub(super) plane: &'a ParameterPlane,
@@ -63,6 +72,7 @@ pub(super) struct PulledCurve<'a> {
     pub(super) accuracy: f64,
     /// The last bit of the surface's size, and of its coordinates, which may be far larger.
     last_bit: f64,
+    parameters: ArcParameters,
 }
 
 /// The arcs in the plane of parameters along a curve that lies on the surface within the tolerance, of the
@@ -76,6 +86,7 @@ pub(super) fn arcs_on_surface(
     height: Option<&Height<'_>>,
     (what, index): (&'static str, usize),
     [tolerance, angle]: [f64; 2],
+    parameters: ArcParameters,
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let bounds = plane.surface.bounds();
     let size = bounds.diagonal();
@@ -83,9 +94,17 @@ pub(super) fn arcs_on_surface(
     let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
-        let curve = &part;
-        let pulled =
-            PulledCurve { plane, curve, height, what, index, tolerance, accuracy, last_bit };
+        let pulled = PulledCurve {
+            plane,
+            curve: &part,
+            height,
+            what,
+            index,
+            tolerance,
+            accuracy,
+            last_bit,
+            parameters,
+        };
         for section in pulled.sections()? {
             arcs.push(pulled.fitted(section)?);
         }
@@ -275,7 +294,9 @@ impl PulledCurve<'_> {
 
     /// The arc along a stretch.
     fn fitted(&self, [start, end]: Section) -> Result<NurbsCurve, GeomError> {
-        if let Some(line) = self.straight([start, end])? {
+        if self.parameters == ArcParameters::Any
+            && let Some(line) = self.straight([start, end])?
+        {
             return Ok(line);
         }
         let mut pieces = Vec::new();

@@ -8,7 +8,7 @@ use super::{
     Face, FaceError,
     division::Division,
     loops::place_of,
-    pull::{Height, MOST_BESIDE, arcs_on_surface},
+    pull::{ArcParameters, Height, MOST_BESIDE, arcs_on_surface},
 };
 use crate::{
     Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
@@ -68,7 +68,8 @@ impl Face {
                 return Err(FaceError::Open { index, gap }.into());
             }
             let limits = [distance, tolerance.angle];
-            arcs.extend(arcs_on_surface(&whole.plane, curve, None, ("loop", index), limits)?);
+            let (named, parameters) = (("loop", index), ArcParameters::Any);
+            arcs.extend(arcs_on_surface(&whole.plane, curve, None, named, limits, parameters)?);
         }
         whole.to_the_left(&arcs, distance)
     }
@@ -288,7 +289,8 @@ impl Face {
     ) -> Result<Vec<NurbsCurve>, GeomError> {
         let mut arcs = Vec::new();
         for curve in curves {
-            arcs.extend(arcs_on_surface(&self.plane, curve, height, ("cutter", index), limits)?);
+            let (named, parameters) = (("cutter", index), ArcParameters::Any);
+            arcs.extend(arcs_on_surface(&self.plane, curve, height, named, limits, parameters)?);
         }
         Ok(arcs)
     }

@@ -7,7 +7,30 @@ use glam::DVec3;
 use super::VariedRegion;
 use crate::{Axis, GeomError, LocalError, Solid, tolerance::KNOT_RELATIVE};
 
+/// There is no solid beside one whose region leaves the plane of the axis.
+const OUT_OF_PLANE: &str = "the turn of a region that leaves the plane of its axis";
+
 /// A solid that a varying region makes.
+///
+/// The volume of a cylinder of radius 1 grows by π with its height:
+///
+/// ```
+/// use std::{f64::consts::TAU, sync::Arc};
+/// use virote_kernel::{
+///     CircleForm, Frame, NurbsCurve, PointSlopes, Region, RegionWay, Solid, Tolerance, VariedCurve,
+///     VariedRegion, VariedSolid, glam::DVec3,
+/// };
+///
+/// let circle = NurbsCurve::ellipse(Frame::XY, [1.0, 1.0], CircleForm::NinePoint)?;
+/// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
+/// let solid = Solid::extruded(&disc, DVec3::Z, Tolerance::DEFAULT)?;
+/// let border = VariedCurve::new(circle.into(), PointSlopes::new(1, 9, Vec::new())?)?;
+/// let region = VariedRegion::new(Arc::new(disc), vec![vec![border]])?;
+/// let way = RegionWay::Along(DVec3::Z, vec![DVec3::Z]);
+/// let varied = VariedSolid::new(solid.into(), region.into(), way);
+/// assert!((varied.volume_slopes()?[0] - std::f64::consts::PI).abs() < 1e-13);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct VariedSolid {
     solid: Arc<Solid>,
@@ -16,6 +39,27 @@ pub struct VariedSolid {
 }
 
 /// Where a region goes.
+///
+/// The volume of a turned disc of radius 1, whose centre is 3 from the axis, grows by 3π with the angle:
+///
+/// ```
+/// use std::{f64::consts::PI, sync::Arc};
+/// use virote_kernel::{
+///     Axis, CircleForm, Frame, NurbsCurve, PointSlopes, Region, RegionWay, Solid, Tolerance, VariedCurve, VariedRegion,
+///     VariedSolid, glam::DVec3,
+/// };
+///
+/// let circle = NurbsCurve::ellipse(Frame::ZX.at(DVec3::X * 3.0), [1.0, 1.0], CircleForm::NinePoint)?;
+/// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
+/// let axis = Axis::new(DVec3::ZERO, DVec3::Z)?;
+/// let solid = Solid::revolved(&disc, axis, 1.0, Tolerance::DEFAULT)?;
+/// let border = VariedCurve::new(circle.into(), PointSlopes::new(1, 9, Vec::new())?)?;
+/// let region = VariedRegion::new(Arc::new(disc), vec![vec![border]])?;
+/// let way = RegionWay::About(axis, 1.0, vec![1.0]);
+/// let varied = VariedSolid::new(solid.into(), region.into(), way);
+/// assert!((varied.volume_slopes()?[0] - 3.0 * PI).abs() < 1e-12);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub enum RegionWay {
     /// Along a vector, with its slopes by each variable.
@@ -26,26 +70,6 @@ pub enum RegionWay {
 
 impl VariedSolid {
     /// The solid that a region makes on its way.
-    ///
-    /// The volume of a cylinder of radius 1 grows by π with its height:
-    ///
-    /// ```
-    /// use std::{f64::consts::TAU, sync::Arc};
-    /// use virote_kernel::{
-    ///     CircleForm, Frame, NurbsCurve, PointSlopes, Region, RegionWay, Solid, Tolerance, VariedCurve,
-    ///     VariedRegion, VariedSolid, glam::DVec3,
-    /// };
-    ///
-    /// let circle = NurbsCurve::ellipse(Frame::XY, [1.0, 1.0], CircleForm::NinePoint)?;
-    /// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
-    /// let solid = Solid::extruded(&disc, DVec3::Z, Tolerance::DEFAULT)?;
-    /// let border = VariedCurve::new(circle.into(), PointSlopes::new(1, 9, Vec::new())?)?;
-    /// let region = VariedRegion::new(Arc::new(disc), vec![vec![border]])?;
-    /// let way = RegionWay::Along(DVec3::Z, vec![DVec3::Z]);
-    /// let varied = VariedSolid::new(solid.into(), region.into(), way);
-    /// assert!((varied.volume_slopes()?[0] - std::f64::consts::PI).abs() < 1e-13);
-    /// # Ok::<(), virote_kernel::GeomError>(())
-    /// ```
     #[must_use]
     pub fn new(solid: Arc<Solid>, region: Arc<VariedRegion>, way: RegionWay) -> Self {
         Self { solid, region, way }
@@ -70,7 +94,8 @@ impl VariedSolid {
     /// times the moment about the axis.
     ///
     /// # Errors
-    /// Where the work is ended.
+    /// [`LocalError::NotDifferentiable`] where a region that is turned leaves the plane of the axis; where the work is
+    /// ended.
     pub fn volume_slopes(&self) -> Result<Vec<f64>, GeomError> {
         let (region, normal) = (&self.region, self.region.normal());
         let area = region.region().area();
@@ -82,6 +107,9 @@ impl VariedSolid {
             }
             RegionWay::About(_, angle, slopes) if is_full(*angle) && !is_fixed(slopes) => {
                 Err(none("the volume of a full turn", *angle))
+            }
+            RegionWay::About(_, angle, _) if self.region.leaves_its_plane() => {
+                Err(none(OUT_OF_PLANE, *angle))
             }
             RegionWay::About(axis, angle, slopes) => {
                 let across = self.across(*axis);
@@ -102,6 +130,9 @@ impl VariedSolid {
             RegionWay::Along(_, slopes) => {
                 let by_region = self.region.centroid_slopes(along)?;
                 Ok(sums(&by_region, slopes, |slope: &DVec3| 0.5 * slope.dot(along)))
+            }
+            RegionWay::About(_, angle, _) if self.region.leaves_its_plane() => {
+                Err(none(OUT_OF_PLANE, *angle))
             }
             RegionWay::About(axis, angle, _) if is_full(*angle) => {
                 let mass = self.solid.volume_mass()?;

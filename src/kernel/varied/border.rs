@@ -15,7 +15,7 @@ use crate::{
         gauss_legendre::{SIXTEEN_NODES, nodes},
         integral::{IntegralError, find_integral},
     },
-    tolerance::GRADIENT_RELATIVE,
+    tolerance::{GRADIENT_RELATIVE, KNOT_RELATIVE},
 };
 
 /// A region, with the curves along its borders that vary.
@@ -91,6 +91,23 @@ impl VariedRegion {
     #[must_use]
     pub fn normal(&self) -> DVec3 {
         self.region.frame().to_space().matrix3.z_axis
+    }
+
+    /// Whether its borders move out of its plane, beyond rounding.
+    pub(super) fn leaves_its_plane(&self) -> bool {
+        let ways = || {
+            self.borders.iter().flat_map(|border| &border.curves).flat_map(|curve| {
+                let points = curve.curve().control_points();
+                curve.slopes().by_variable().iter().flat_map(move |(_, slopes)| {
+                    let way = |(slope, point): (&DVec4, &DVec4)| {
+                        slope.truncate() - point.truncate() * (slope.w / point.w)
+                    };
+                    slopes.iter().zip(points).map(way)
+                })
+            })
+        };
+        let longest = ways().map(DVec3::length).fold(0.0, f64::max);
+        ways().any(|way| KNOT_RELATIVE * longest < way.dot(self.normal()).abs())
     }
 
     /// The slopes of the area.

@@ -12,8 +12,8 @@ op! {
     /// The border of a face from corner to corner, with the face to the left, seen from the tip of Su × Sv.
     ///
     /// A loop without corners is one closed curve. A seam over which the face goes is no border. Along lines
-    /// of constant parameters, on planes, and where they are conics, edges are exact; elsewhere cubic or quintic splines within an eighth of the
-    /// document's tolerance.
+    /// of constant parameters, on planes, and where they are conics, edges are exact; elsewhere cubic or quintic
+    /// splines within an eighth of the document's tolerance.
     edges in Face -> Vec<NurbsCurve> {
         /// The face.
         f: Arc<Face>,

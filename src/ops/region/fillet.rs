@@ -24,7 +24,7 @@ op! {
         at: Option<Spanned<Vec<DVec3>>>,
     }
     example "area(fillet(region(polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true)), 1)) ~= 12 + pi" => "true";
-    refuses "fillet(region(polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true)), 5)" => "E0616: a circle of radius 5 does not fit at the corner (4, 0, 0): one up to 4 does";
+    refuses "fillet(region(polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true)), 5)" => "E0616: a circle of radius 5 does not fit at the corner (4, 0, 0): one up to 2 does";
     refuses "fillet(region(polyline([(0, 0), (4, 0), (4, 4), (0, 4)], closed = true)), 1, at = [(2, 0)])" => "E0607: there is no corner at (2, 0, 0): the nearest is 2 away";
     picture "fillet(region(polyline([(0, 0), (4, 0), (4, 1), (1, 1), (1, 3), (0, 3)], closed = true)), 0.4)";
 }

@@ -11,8 +11,8 @@ op! {
     /// The edges that faces of a solid have in common, each once, from vertex to vertex.
     ///
     /// Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
-    /// constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth of the document's
-    /// tolerance.
+    /// constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth
+    /// of the document's tolerance.
     edges in Solid -> Vec<NurbsCurve> {
         /// The solid.
         s: GivenSolid,

@@ -14,9 +14,9 @@ op! {
     /// Curves in which a plane cuts a surface or touches it.
     ///
     /// Found completely, by the signs of Bernstein coefficients and not by samples: no loop is too small.
-    /// Where the surface is a plane, sphere, cylinder or cone they are exact lines and conics, and the circles of a torus are exact;
-    /// others are cubic splines in the plane, within the document's tolerance, parametrized about by
-    /// their length; to their left, seen from the side of the surface's normal, the surface is above the
+    /// Where the surface is a plane, sphere, cylinder or cone they are exact lines and conics, and the circles
+    /// of a torus are exact; others are cubic splines in the plane, within the document's tolerance, parametrized
+    /// about by their length. To their left, seen from the side of the surface's normal, the surface is above the
     /// plane. They end at the surface's boundary, and where several cross. A patch that lies in the plane is
     /// told by its border; of a touch in a single point a warning tells. A plane that misses gives an
     /// empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
