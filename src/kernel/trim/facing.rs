@@ -37,7 +37,7 @@ use crate::{
 /// ```
 ///
 /// # Errors
-/// [`FaceError::CrowdedShell`], [`FaceError::OneSided`]; without faces those of [`facing_unlike`]; as
+/// `FaceError::CrowdedShell`, `FaceError::OneSided`; without faces those of [`facing_unlike`]; as
 /// [`Surface::point_at`].
 pub fn pieces_facing_unlike(
     pieces: &[SurfacePiece<'_>],
