@@ -260,7 +260,7 @@ pub struct Op {
     /// Whether all that it answers depends on the shape of curves and surfaces alone, not on the knots and control
     /// points that these have, so that derivatives pass through it where knots move too.
     pub is_of_shape: bool,
-    /// Of which calls it finds the derivatives itself, as one that takes a [`Real`] does.
+    /// Of which calls it finds the derivatives itself, as one that takes a `Real` does.
     pub derives_itself: Option<fn(&Call) -> bool>,
     /// What it finds by a rule, and how that moves.
     pub settling: Option<&'static Settling>,
