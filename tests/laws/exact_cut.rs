@@ -13,7 +13,7 @@ use virote_kernel::{
 use super::solid::{TOLERANCE, ball, polygon, region, whole};
 
 /// As near as sums of some hundred numbers come to closed forms.
-const EXACT: f64 = 3e-13;
+const EXACT: f64 = 1e-13;
 
 fn plane(origin: DVec3, normal: DVec3) -> Frame {
     Frame::from_normal(origin, normal, None).expect("a plane")

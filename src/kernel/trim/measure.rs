@@ -24,6 +24,9 @@ use crate::{
 
 /// Where on each arc of a border places are taken that tell where a face is.
 const ALONG_BORDERS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+/// How many times smaller than the box of their surfaces a box of faces is, for integrals to be taken about its own
+/// middle.
+const SMALL_PART: f64 = 8.0;
 
 /// A part of a face's parameters.
 enum ParameterPiece<'a> {
@@ -172,17 +175,20 @@ impl Face {
     }
 }
 
-/// A point amid faces, about which integrals over them cancel least: the middle of a box around surfaces that are
-/// whole, and around places of the borders of others, so that a small part of a large surface is near it.
+/// A point amid faces, about which integrals over them cancel least: the middle of a box around their surfaces, about
+/// which flux through quadrics is even; where what the borders enclose is many times smaller, the middle of that.
 pub(crate) fn amid(faces: &[Face]) -> DVec3 {
+    let whole = |face: &Face| face.plane.surface.bounds();
     let own = |face: &Face| {
         let arcs = face.parts.iter().flat_map(Region::arcs).flatten();
         let places = arcs.flat_map(|arc| ALONG_BORDERS.map(|at| arc.point_at(arc.domain().at(at))));
         let places = places.map(|place| face.plane.point(place));
         let border = if face.is_whole() { None } else { Bounds::of(places) };
-        border.unwrap_or_else(|| face.plane.surface.bounds())
+        border.unwrap_or_else(|| whole(face))
     };
-    faces.iter().map(own).reduce(Bounds::union).map_or(DVec3::ZERO, Bounds::center)
+    let Some(surfaces) = faces.iter().map(whole).reduce(Bounds::union) else { return DVec3::ZERO };
+    let borders = faces.iter().map(own).reduce(Bounds::union);
+    borders.filter(|own| SMALL_PART * own.diagonal() < surfaces.diagonal()).unwrap_or(surfaces).center()
 }
 
 /// The way to a point, without what rounding leaves of it: the moments of a plane face about a point of its plane
