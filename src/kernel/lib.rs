@@ -121,6 +121,7 @@ mod construction_report;
 mod curve;
 mod deviation_reference;
 mod digits;
+mod disjoint_sets;
 mod ended;
 mod error;
 mod failure;

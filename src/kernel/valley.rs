@@ -65,9 +65,10 @@ impl Valley {
         Self { bottom, floor, is_single, sides }
     }
 
-    /// Whether at each end the distance is at least this, or the floor goes that far.
-    pub(crate) fn rises_to(&self, height: f64) -> bool {
-        self.sides.iter().all(|&(is_floor, end)| is_floor || height <= end)
+    /// Whether at each end, but those that are none of it, the distance is at least this, or the floor goes that far.
+    pub(crate) fn rises_to(&self, height: f64, is_beyond: [bool; 2]) -> bool {
+        let mut sides = self.sides.iter().zip(is_beyond);
+        sides.all(|(&(is_floor, end), is_beyond)| is_beyond || is_floor || height <= end)
     }
 }
 
@@ -109,7 +110,11 @@ mod tests {
         let stretch = Interval::new(-0.2, 0.25).unwrap();
         let valley = Valley::of(|t: f64| libm::pow(t.abs(), 9.0), stretch, 1e-16);
         assert_eq!(valley.bottom.to_bits(), 0);
-        assert!(valley.is_single && valley.rises_to(1e-7) && !valley.rises_to(1e-6));
+        assert!(
+            valley.is_single
+                && valley.rises_to(1e-7, [false; 2])
+                && !valley.rises_to(1e-6, [false; 2])
+        );
     }
 
     #[test]

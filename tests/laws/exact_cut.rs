@@ -6,7 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    ConicKind, Face, FacePart, Frame, KnotVector, NurbsCurve, NurbsSurface, Solid,
+    ConicKind, Face, FacePart, Frame, GeomError, KnotVector, NurbsCurve, NurbsSurface, Solid,
+    SolidError, Surface,
     glam::{DAffine3, DVec3},
 };
 
@@ -209,5 +210,69 @@ fn a_dent_in_an_edge_is_no_part_of_a_conic() {
             let near = near.fold(f64::INFINITY, f64::min);
             assert!(near < 1e-6, "dent {dent}: {near} from {place}");
         }
+    }
+}
+
+/// A plane that comes down to the rim of a hole at a small angle: its arcs end on the rim, and not a tolerance beside it.
+#[test]
+fn a_plate_with_a_hole_is_cut_by_planes_that_hardly_slope() {
+    let outer = polygon(&[[-5.0, -4.0, 0.0], [5.0, -4.0, 0.0], [5.0, 4.0, 0.0], [-5.0, 4.0, 0.0]]);
+    for x in [0.0, 0.7, 3.4] {
+        let rim = NurbsCurve::ellipse(
+            Frame::XY.at(DVec3::X * x),
+            [1.5; 2],
+            virote_kernel::CircleForm::NinePoint,
+        );
+        let plate = region(&outer, &[rim.expect("a circle")]);
+        let plate = Solid::extruded(&plate, DVec3::Z * 2.0, TOLERANCE).expect("a plate");
+        let volume = 2.0 * (80.0 - 2.25 * PI);
+        for slope in [0.01, 0.05, 0.3] {
+            let plane = plane(DVec3::Z * 1.99, DVec3::new(slope, 0.0, 1.0));
+            let side = |is_above: bool| {
+                let side = plate.cut(plane, is_above, TOLERANCE).expect("a cut").expect("a side");
+                side.volume_mass().expect("a volume").amount
+            };
+            assert_exact(side(true) + side(false), volume);
+        }
+    }
+}
+
+/// The inner tangent plane of a torus cuts it in an eight: beyond it the body is whole, before it two wedges touch.
+#[test]
+fn the_side_of_a_torus_that_its_tangent_plane_leaves_touching_itself_is_refused() {
+    let torus = NurbsSurface::torus(Frame::XY, 3.0, 1.0).expect("a torus");
+    let torus = Solid::new(&[whole(torus)], TOLERANCE).expect("a solid");
+    let plane = plane(DVec3::X * 2.0, DVec3::X);
+    let beyond = torus.cut(plane, true, TOLERANCE).expect("a cut").expect("a side");
+    assert!((beyond.volume_mass().expect("a volume").amount - 15.576_944_636_37).abs() < 1e-7);
+    match torus.cut(plane, false, TOLERANCE) {
+        Err(GeomError::Solid(SolidError::TouchesPlane { point })) => {
+            assert!(point.distance(DVec3::X * 2.0) < 1e-4, "{point}");
+        }
+        other => unreachable!("{other:?}"),
+    }
+}
+
+/// Where surfaces tell the plane of what they share, `intersections` answers with the conic of that plane.
+#[test]
+fn surfaces_that_cross_in_a_plane_cross_in_conics() {
+    let sphere = |x: f64, radius: f64| {
+        Surface::from(NurbsSurface::sphere(Frame::XY.at(DVec3::X * x), radius).expect("a sphere"))
+    };
+    let [o, x, y] = [DVec3::new(-3.0, -3.0, 0.6), DVec3::X * 6.0, DVec3::Y * 6.0];
+    let patch = Surface::from(NurbsSurface::bilinear(o, o + y, o + x, o + x + y).expect("a patch"));
+    let curves = |a: &Surface, b: &Surface| a.intersections(b, TOLERANCE).expect("curves").curves;
+    for curves in [curves(&patch, &sphere(0.0, 1.0)), curves(&sphere(0.0, 1.0), &patch)] {
+        let equation = |point: DVec3| point.length_squared() - 1.0;
+        check_conics(&curves, ConicKind::Ellipse, Frame::XY.at(DVec3::Z * 0.6), equation);
+        assert_exact(length(&curves), TAU * 0.8);
+    }
+    // At x = (d² + r² − R²) / 2d with the radius √(r² − x²).
+    for (d, radius) in [(1.5, 1.0), (1.2, 0.7), (0.6, 1.1)] {
+        let found = curves(&sphere(0.0, 1.0), &sphere(d, radius));
+        let at = (d * d + 1.0 - radius * radius) / (2.0 * d);
+        let place = plane(DVec3::X * at, DVec3::X);
+        check_conics(&found, ConicKind::Ellipse, place, |point| point.length_squared() - 1.0);
+        assert_exact(length(&found), TAU * (1.0 - at * at).sqrt());
     }
 }

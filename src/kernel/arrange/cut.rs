@@ -5,7 +5,10 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
-use crate::{Bounds, GeomError, Interval, NurbsCurve, frame::norm, side_by_side};
+use crate::{
+    Bounds, GeomError, Interval, NurbsCurve, disjoint_sets::DisjointSets, frame::norm,
+    side_by_side, tolerance::PARAMETER_RELATIVE,
+};
 
 /// Tolerances within which what comes back to a vertex has not left it.
 const ONE_PLACE: f64 = 4.0;
@@ -101,20 +104,14 @@ impl Arrangement {
                             && before.interval.end() >= start
                             && let Ok(whole) = Interval::new(before.interval.start(), end)
                         {
-                            before.curve = match whole == curve.domain() {
-                                true => curve.clone(),
-                                false => curve.trimmed(whole)?,
-                            };
+                            before.curve = part_of(curve, whole)?;
                             before.interval = whole;
                         }
                         start = end;
                     }
                     continue;
                 }
-                let curve = match interval == curve.domain() {
-                    true => curve.clone(),
-                    false => curve.trimmed(interval)?,
-                };
+                let curve = part_of(curve, interval)?;
                 let passes = vec![(groups[arc], 1)];
                 self.edges.push(PlaneEdge { arc, interval, curve, ends: [from, to], passes });
                 (start, from) = (end, to);
@@ -174,14 +171,14 @@ fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
 
 /// The vertices, and that of each cut: places within the tolerance of one another are one.
 fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
-    let mut parents: Vec<usize> = (0..cuts.len()).collect();
+    let mut places = DisjointSets::new(cuts.len());
     let mut order: Vec<usize> = (0..cuts.len()).collect();
     order.sort_by(|&i, &j| cuts[i].point.x.total_cmp(&cuts[j].point.x).then(i.cmp(&j)));
     for (place, &i) in order.iter().enumerate() {
         let own = cuts[i].point;
         for &j in order[place + 1..].iter().take_while(|&&j| cuts[j].point.x <= own.x + tolerance) {
             if norm(cuts[j].point - own) <= tolerance {
-                unite(&mut parents, i, j);
+                places.unite(i, j);
             }
         }
     }
@@ -189,7 +186,7 @@ fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
     let mut vertices = Vec::new();
     let mut numbers = vec![0; cuts.len()];
     for i in 0..cuts.len() {
-        let root = root_of(&mut parents, i);
+        let root = places.least(i);
         if root == i {
             numbers[i] = vertices.len();
             vertices.push(cuts[i].point);
@@ -200,18 +197,19 @@ fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
     (vertices, numbers)
 }
 
-/// The first of those that are one with `i`.
-fn root_of(parents: &mut [usize], mut i: usize) -> usize {
-    while parents[i] != i {
-        parents[i] = parents[parents[i]];
-        i = parents[i];
+/// A part of a curve. One that ends beside a knot ends in it, so that no span is left that is rounding.
+fn part_of(curve: &NurbsCurve, interval: Interval) -> Result<NurbsCurve, GeomError> {
+    let domain = curve.domain();
+    if interval == domain {
+        return Ok(curve.clone());
     }
-    i
-}
-
-fn unite(parents: &mut [usize], i: usize, j: usize) {
-    let (a, b) = (root_of(parents, i), root_of(parents, j));
-    parents[a.max(b)] = a.min(b);
+    let (slack, breaks) = (PARAMETER_RELATIVE * domain.length(), curve.knots().breaks());
+    let onto_knot = |t: f64| {
+        let behind = breaks.partition_point(|&knot| knot < t - slack);
+        breaks.get(behind).copied().filter(|&knot| knot <= t + slack).unwrap_or(t)
+    };
+    let onto_knots = Interval::new(onto_knot(interval.start()), onto_knot(interval.end()));
+    curve.trimmed(onto_knots.unwrap_or(interval))
 }
 
 /// How far a part of a curve goes from its start.

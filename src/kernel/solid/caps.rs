@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::{Solid, SolidError};
 use crate::{
     Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance, join,
+    mesh::welded,
     trim::{FaceBorderEdge, rims},
 };
 
@@ -44,7 +45,7 @@ impl Solid {
     /// Those of [`Self::capped`] but for rims and crossings.
     pub(super) fn closed_by(
         faces: &[Face],
-        PlaneCaps { regions, mut edges }: PlaneCaps,
+        PlaneCaps { regions, mut edges, .. }: PlaneCaps,
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
         let caps = regions.iter().map(|region| Face::of_region(region, tolerance));
@@ -59,6 +60,8 @@ pub(super) struct PlaneCaps {
     pub(super) regions: Vec<Region>,
     /// The edges of the faces.
     pub(super) edges: Vec<FaceBorderEdge>,
+    /// Whether rims meet one another, or themselves.
+    pub(super) has_knots: bool,
 }
 
 /// The regions within the rims of faces.
@@ -67,17 +70,32 @@ pub(super) struct PlaneCaps {
 /// Those of [`Solid::capped`] but for those of bodies.
 pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCaps, GeomError> {
     let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-    let regions = regions_within(rims(faces, &edges, tolerance)?, tolerance)?;
-    Ok(PlaneCaps { regions, edges })
+    let mut rims = rims(faces, &edges, tolerance)?;
+    let size = rims.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
+    let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
+    // Where surfaces only touch a plane, crumbs of edges are left, which are one place.
+    rims.retain(|rim| distance < rim.bounds().diagonal());
+    let has_knots = has_knots(&rims, 2.0 * distance);
+    Ok(PlaneCaps { regions: regions_within(rims, distance, tolerance)?, edges, has_knots })
+}
+
+/// Whether more than two ends of edges are one place.
+fn has_knots(edges: &[NurbsCurve], distance: f64) -> bool {
+    let ends: Vec<DVec3> = edges.iter().flat_map(|edge| [edge.start(), edge.end()]).collect();
+    let mut n_ends = vec![0; ends.len()];
+    welded(&ends, distance).into_iter().for_each(|first| n_ends[first as usize] += 1);
+    n_ends.into_iter().any(|n| 2 < n)
 }
 
 /// The regions that plane edges close, even-odd in each plane.
 ///
 /// # Errors
 /// Those of [`Solid::capped`] but for what faces enclose.
-fn regions_within(edges: Vec<NurbsCurve>, tolerance: Tolerance) -> Result<Vec<Region>, GeomError> {
-    let size = edges.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
-    let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
+fn regions_within(
+    edges: Vec<NurbsCurve>,
+    distance: f64,
+    tolerance: Tolerance,
+) -> Result<Vec<Region>, GeomError> {
     let mut planes: Vec<(Frame, Vec<NurbsCurve>)> = Vec::new();
     for rim in closed_rims(edges, 2.0 * distance)? {
         let is_in = |plane: &Frame| {

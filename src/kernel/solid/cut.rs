@@ -64,7 +64,11 @@ impl Solid {
         if let Some(point) = touching(&faces, &caps, contacts, plane, within)? {
             return Err(SolidError::TouchesPlane { point }.into());
         }
+        let has_knots = caps.has_knots;
         let side = Self::closed_by(&faces, caps, tolerance)?;
+        if has_knots && let Some(point) = side.topology(tolerance)?.pinched_vertex() {
+            return Err(SolidError::TouchesPlane { point }.into());
+        }
         let center = amid(&faces);
         let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());
         let ((told, error), (found, its_error)) =

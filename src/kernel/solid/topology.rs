@@ -10,7 +10,8 @@ use glam::DVec3;
 
 use super::{Solid, SolidError, box_around};
 use crate::{
-    Bounds, GeomError, Interval, NurbsCurve, Tolerance, mesh::welded, tolerance::PARAMETER_RELATIVE,
+    Bounds, GeomError, Interval, NurbsCurve, Tolerance, disjoint_sets::DisjointSets, mesh::welded,
+    tolerance::PARAMETER_RELATIVE,
 };
 
 /// Edges and vertices of a solid, and how its faces go along them.
@@ -75,6 +76,28 @@ impl SolidTopology {
         let faces: i64 = self.loops.iter().flatten().map(euler_of).sum();
         let euler = self.vertices.len() as i64 - self.edges.len() as i64 + faces;
         self.n_shells as i64 - euler / 2
+    }
+
+    /// A vertex about which faces do not follow one another in one ring: there the solid touches itself.
+    pub(super) fn pinched_vertex(&self) -> Option<DVec3> {
+        // The ends of each edge, 2·e and 2·e + 1, that corners of faces have in common.
+        let mut rings = DisjointSets::new(2 * self.edges.len());
+        for steps in self.loops.iter().flatten().flatten() {
+            for (k, &(edge, is_along)) in steps.iter().enumerate() {
+                let (next, goes_on) = steps[(k + 1) % steps.len()];
+                rings.unite(2 * edge + usize::from(is_along), 2 * next + usize::from(!goes_on));
+            }
+        }
+        let mut ring_of: Vec<Option<usize>> = vec![None; self.vertices.len()];
+        for (number, edge) in self.edges.iter().enumerate() {
+            for (end, &vertex) in edge.vertices.iter().enumerate() {
+                let ring = rings.least(2 * number + end);
+                if *ring_of[vertex].get_or_insert(ring) != ring {
+                    return Some(self.vertices[vertex]);
+                }
+            }
+        }
+        None
     }
 }
 

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance, bezier,
-    curve::join,
+    curve::{join, without_vanishing_spans},
     find_integral,
     frame::{angle_between, norm},
     homogeneous::place,
@@ -373,6 +373,6 @@ fn joined(chain: &[Curve], distance: f64) -> Result<NurbsCurve, GeomError> {
     let splines: Vec<NurbsCurve> = splines.collect::<Result<_, _>>()?;
     match &splines[..] {
         [single] => Ok(single.clone()),
-        _ => join(&splines, 4.0 * distance),
+        _ => join(&without_vanishing_spans(&splines)?, 4.0 * distance),
     }
 }

@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use crate::{
-    CountError, GeomError, JointError, KnotError,
+    CountError, GeomError, Interval, JointError, KnotError,
     curve::NurbsCurve,
     joint::{Joined, vanishing_span},
     refine::ControlLines,
-    tolerance::EXACT_RELATIVE,
+    tolerance::{EXACT_RELATIVE, PARAMETER_RELATIVE},
 };
 
 /// The curves one after another as one curve on the domain of the first and those of the others
@@ -72,6 +72,30 @@ pub(crate) fn join_pieces(pieces: &[NurbsCurve], distance: f64) -> Result<NurbsC
     }
     let ControlLines { knots, lines } = joined.finish()?;
     NurbsCurve::new(knots, lines.concat())
+}
+
+/// The curves without spans that [`join`] would refuse, as rounding leaves them: what is before and behind of each is a
+/// curve of its own.
+///
+/// # Errors
+/// Those of [`NurbsCurve::trimmed`].
+pub(crate) fn without_vanishing_spans(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
+    let total: f64 = curves.iter().map(|curve| curve.domain().length()).sum();
+    let mut parts = Vec::with_capacity(curves.len());
+    for curve in curves {
+        if vanishing_span(&curve.knots, total).is_none() {
+            parts.push(curve.clone());
+            continue;
+        }
+        let breaks = curve.knots.breaks();
+        let least = 2.0 * PARAMETER_RELATIVE * total;
+        for run in breaks.chunk_by(|before, behind| least < behind - before) {
+            if let [start, .., end] = *run {
+                parts.push(curve.trimmed(Interval::new(start, end)?)?);
+            }
+        }
+    }
+    Ok(parts)
 }
 
 /// # Errors

@@ -208,7 +208,7 @@ impl NurbsCurve {
         let stretch = Interval::new(start, edge(&is_near, last, self.domain().end())).ok()?;
         let valley = Valley::of(height, stretch, LAST_BIT * self.magnitude());
         let is_touch = valley.is_single
-            && valley.rises_to(0.5 * tolerance.distance)
+            && valley.rises_to(0.5 * tolerance.distance, [false; 2])
             && valley.floor.length() <= 0.5 * stretch.length();
         is_touch.then_some(valley.bottom)
     }

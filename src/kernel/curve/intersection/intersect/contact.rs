@@ -17,7 +17,7 @@ use crate::{
     ceiling::BISECTIONS,
     curve::NurbsCurve,
     numeric::bisection::bisected,
-    tolerance::LAST_BIT,
+    tolerance::{KNOT_RELATIVE, LAST_BIT},
     valley::{Valley, round},
 };
 
@@ -74,9 +74,20 @@ impl IntersectionSearch<'_> {
         }
         let floor = self.extent(self.first, valley.floor);
         let is_narrow = floor <= FLOOR_SHARE * extent;
-        let rises = valley.rises_to(APART_SHARE * self.tolerance);
+        let rises = valley.rises_to(APART_SHARE * self.tolerance, self.leaves_over_ends(stretch));
         let is_single = valley.is_single && rises && (is_narrow || self.ends_within(stretch));
         is_single || is_short && is_narrow && (rises || !valley.is_single)
+    }
+
+    /// At which ends of a stretch the first curve goes beyond an end of the second one.
+    fn leaves_over_ends(&self, stretch: ContactInterval) -> [bool; 2] {
+        let domain = self.second.domain();
+        let dust = KNOT_RELATIVE * domain.length();
+        let is_open = !self.second.is_closed(self.tolerance);
+        [stretch.first.start(), stretch.first.end()].map(|t| {
+            let foot = foot(self.second, stretch.second, place(self.first, t));
+            is_open && (foot <= domain.start() + dust || domain.end() - dust <= foot)
+        })
     }
 
     /// Whether a stretch of one piece of each curve ends where both pieces go on.

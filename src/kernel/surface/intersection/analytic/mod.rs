@@ -117,7 +117,7 @@ impl NurbsSurface {
         }
         let allowed = ANALYTIC_RELATIVE * self.bounds().magnitude();
         let closed = [self.is_closed_u(distance), self.is_closed_v(distance)];
-        if let Some(plane) = self.plane_form(allowed, distance, closed) {
+        if let Some(plane) = self.plane_form(distance, closed) {
             return Some(plane);
         }
         self.revolved_form(allowed, distance, closed).or_else(|| {

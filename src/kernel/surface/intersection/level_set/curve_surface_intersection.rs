@@ -266,7 +266,7 @@ impl PiercingSearch<'_> {
         let start = self.curve.point_at(valley.floor.start());
         let floor = start.distance(self.curve.point_at(valley.floor.end()));
         valley.is_single
-            && valley.rises_to(APART_SHARE * FLAT_SHARE * self.tolerance)
+            && valley.rises_to(APART_SHARE * FLAT_SHARE * self.tolerance, [false; 2])
             && floor <= FLOOR_SHARE * size
     }
 

@@ -71,17 +71,39 @@ impl Surface {
         let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], tolerance)?)
             .then(|| Ok(surfaces.clone()));
         let mut best: Option<Result<LevelSet, GeomError>> = None;
+        let [a, b] = [&surfaces[0], &surfaces[1]];
         for surfaces in as_given.into_iter().chain(elsewhere) {
             let found = shared(surfaces?, tolerance, size);
             if verify::is_certain(&found, tolerance) {
-                return found;
+                return found.map(|found| a.with_exact_curves(b, found, tolerance));
             }
             best = Some(match best {
                 Some(best) => best.or_else(|refused| found.map_err(|_| refused)),
                 None => found,
             });
         }
-        best.unwrap_or_else(|| shared(surfaces.clone(), tolerance, size))
+        let found = best.unwrap_or_else(|| shared(surfaces.clone(), tolerance, size));
+        found.map(|found| a.with_exact_curves(b, found, tolerance))
+    }
+}
+
+impl NurbsSurface {
+    /// What it shares with another surface, the curves as exact ones where both tell the plane in which they lie.
+    fn with_exact_curves(&self, other: &Self, mut found: LevelSet, tolerance: f64) -> LevelSet {
+        if found.curves.is_empty() {
+            return found;
+        }
+        let (carrier, plane) = if let Some(plane) = self.flat_frame() {
+            (other, plane)
+        } else if let Some(plane) = other.flat_frame() {
+            (self, plane)
+        } else if let Some(plane) = self.radical_plane(other, tolerance) {
+            (self, plane)
+        } else {
+            return found;
+        };
+        found.curves = carrier.exact_in_plane(found.curves, plane, tolerance);
+        found
     }
 }
 

@@ -5,7 +5,6 @@ use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 use super::plane_conic::PlaneConic;
 use crate::{
     AnalyticForm, Frame, NurbsSurface,
-    curve::plane_of,
     frame::{norm, unit},
     tolerance::ANALYTIC_RELATIVE,
 };
@@ -35,8 +34,8 @@ pub(super) struct Quadric {
 impl ExactCarrier {
     /// That of a surface up to rounding; edges within `distance` of one another are one.
     pub(super) fn of(surface: &NurbsSurface, distance: f64) -> Option<Self> {
-        if let Some(plane) = plane_around(surface) {
-            return Some(plane);
+        if let Some(plane) = surface.flat_frame() {
+            return Some(Self::Plane(plane.origin(), plane.z()));
         }
         let found = surface.analytic(distance)?;
         let squares = match found.form {
@@ -105,15 +104,6 @@ impl Quadric {
         let (value, slope) = (place.dot(image).abs(), 2.0 * image.truncate().length());
         (value / slope).min(libm::sqrt(value))
     }
-}
-
-/// The plane that all control points are in up to rounding.
-fn plane_around(surface: &NurbsSurface) -> Option<ExactCarrier> {
-    let points = surface.points();
-    let (first, normal) = (points.get(0, 0), plane_of(points.as_slice())?);
-    let allowed = ANALYTIC_RELATIVE * surface.bounds().magnitude();
-    let is_in = |&point: &DVec3| normal.dot(point - first).abs() <= allowed;
-    points.iter().all(is_in).then_some(ExactCarrier::Plane(first, normal))
 }
 
 /// Around the axis, around the tube, and those of Villarceau: which of them are in the plane is not asked here.
