@@ -6,7 +6,7 @@ import { DeviationMap } from "./model/deviation";
 import { Document, type Hit } from "./model/document";
 import { SettingsSignal, type Shade } from "./model/settings";
 import { ClaimsPanel, diagnosticsPanel } from "./panels/claims";
-import { copy, el } from "./panels/dom";
+import { copy, el, say } from "./panels/dom";
 import { expressionOf, FactsPanel } from "./panels/facts";
 import { legend } from "./panels/legend";
 import { LookPanel } from "./panels/look";
@@ -156,12 +156,12 @@ export class App {
   private greeting(): HTMLElement {
     const text = el("p");
     const root = el("div", { class: "greeting" }, text);
-    const say = (state: State | null): void => {
+    const greet = (state: State | null): void => {
       root.hidden = state !== null && state.items.length > 0;
       const isBroken = state?.diagnostics.some((one) => one.severity === "error") ?? false;
-      text.textContent = state === null || state.version === 0 ? "Evaluating the script …" : isBroken ? "Nothing to show until the script is whole." : "The script has nothing to draw yet.";
+      say(text, state === null || state.version === 0 ? "Evaluating the script …" : isBroken ? "Nothing to show until the script is whole." : "The script has nothing to draw yet.");
     };
-    this.doc.state.watch(say);
+    this.doc.state.watch(greet);
     return root;
   }
 
