@@ -188,7 +188,10 @@ pub(crate) fn amid(faces: &[Face]) -> DVec3 {
     };
     let Some(surfaces) = faces.iter().map(whole).reduce(Bounds::union) else { return DVec3::ZERO };
     let borders = faces.iter().map(own).reduce(Bounds::union);
-    borders.filter(|own| SMALL_PART * own.diagonal() < surfaces.diagonal()).unwrap_or(surfaces).center()
+    borders
+        .filter(|own| SMALL_PART * own.diagonal() < surfaces.diagonal())
+        .unwrap_or(surfaces)
+        .center()
 }
 
 /// The way to a point, without what rounding leaves of it: the moments of a plane face about a point of its plane
