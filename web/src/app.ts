@@ -21,6 +21,9 @@ import { Stage } from "./view/stage";
 
 const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "draft", "sides", "deviation"];
 
+/** Milliseconds after which the panels are there without a picture too. */
+const UNVEILED = 1000;
+
 export class App {
   readonly settings = new SettingsSignal();
   readonly doc: Document;
@@ -70,6 +73,7 @@ export class App {
       diagnosticsPanel(doc),
     );
     host.append(toolbar.root, el("div", { class: "work" }, left, this.view, right), this.help);
+    this.unveil(left, right);
     settings.watch(({ leftPanel, rightPanel }) => {
       left.hidden = !leftPanel;
       right.hidden = !rightPanel;
@@ -139,6 +143,18 @@ export class App {
       doubleClick: () => stage.fit(this.doc.selection.value.size > 0),
       settled: () => stage.ask(),
     });
+  }
+
+  /** Shows the panels behind the first picture, which would wait until they are painted. */
+  private unveil(...panels: HTMLElement[]): void {
+    const show = (isShown: boolean): void => panels.forEach((panel) => (panel.style.visibility = isShown ? "" : "hidden"));
+    const first = (): void => {
+      this.stage.afterFrame.delete(first);
+      show(true);
+    };
+    show(false);
+    this.stage.afterFrame.add(first);
+    setTimeout(first, UNVEILED);
   }
 
   /** Puts the theme onto the page and the picture. */

@@ -104,6 +104,7 @@ export function wholeLineMaterial(color: Color, width: number, opacity = 1, lift
     vertexShader: LINE_VERTEX,
     fragmentShader: LINE_FRAGMENT,
     side: DoubleSide,
+    forceSinglePass: true,
     transparent: true,
     depthWrite: false,
   });

@@ -33,8 +33,11 @@ export class Painter {
   isSlow: boolean;
   private readonly renderer: WebGLRenderer;
   private readonly gl: WebGL2RenderingContext;
-  private readonly buffers = new Map<string, Buffer>();
-  private share = 1;
+  private smoothBuffer: Buffer | null = null;
+  /** The size of the canvas on the page, and how many pixels a smooth frame has for one of the page. */
+  private size = [1, 1];
+  private ratio = 1;
+  private share: number;
   private isMeasuring = false;
   /** Milliseconds that the last smooth frame took. */
   private smoothTime = LONG;
@@ -51,10 +54,12 @@ export class Painter {
     renderer.setClearColor(0, 0);
     const names = this.gl.getExtension("WEBGL_debug_renderer_info");
     this.isSlow = SOFTWARE.test(String(this.gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER)));
+    this.share = this.isSlow ? COARSE : 1;
   }
 
+  /** Pixels of a smooth frame for one of the page. */
   get pixelRatio(): number {
-    return this.renderer.getPixelRatio();
+    return this.ratio;
   }
 
   /** Milliseconds for which nothing changes before a smooth frame follows a quick one. */
@@ -63,26 +68,40 @@ export class Painter {
   }
 
   resize(width: number, height: number): void {
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.size = [width, height];
+    this.ratio = Math.min(devicePixelRatio, 2);
+    this.drop();
+    this.take(1);
+  }
+
+  /** Gives the canvas a share of the pixels along each side, unless it has it. */
+  private take(share: number): void {
+    const [width, height] = this.size;
+    const wanted = share * this.ratio;
+    const isIt = ([length, now]: number[]): boolean => Math.floor(length * wanted) === now;
+    if (this.renderer.getPixelRatio() === wanted && [[width, this.canvas.width], [height, this.canvas.height]].every(isIt)) return;
+    this.renderer.setPixelRatio(wanted);
     this.renderer.setSize(width, height, false);
-    for (const name of [...this.buffers.keys()]) this.drop(name);
   }
 
   /** Draws a frame, a quick one where it need not be smooth. */
   draw(scene: Scene, camera: Camera, isQuick: boolean): void {
     const start = performance.now();
+    const n_programs = this.renderer.info.programs?.length;
     const share = isQuick ? this.share : 1;
     shared.dots.value = share;
-    if (isQuick && share === 1) {
+    this.take(share);
+    if (isQuick) {
       this.renderer.render(scene, camera);
     } else {
-      const { target, framebuffer } = isQuick ? this.buffer("coarse", share, 0) : this.buffer("smooth", 1, SAMPLES);
-      this.renderer.setRenderTarget(target);
+      const buffer = (this.smoothBuffer ??= this.buffer());
+      this.renderer.setRenderTarget(buffer.target);
       this.renderer.render(scene, camera);
       this.renderer.setRenderTarget(null);
-      this.show(framebuffer, target, share);
+      this.show(buffer);
     }
-    this.measure(start, isQuick);
+    // A frame for which programs are made takes longer than others.
+    if (n_programs === this.renderer.info.programs?.length) this.measure(start, isQuick);
   }
 
   /** A pixel of the frame that was drawn this moment; waits until it is there. */
@@ -93,27 +112,25 @@ export class Painter {
     return [...bytes];
   }
 
-  /** Copies a buffer onto the canvas. */
-  private show(framebuffer: WebGLFramebuffer, { width, height }: WebGLRenderTarget, share: number): void {
-    const { gl, canvas } = this;
+  /** Copies a buffer onto the canvas, which is as large. */
+  private show({ framebuffer, target: { width, height } }: Buffer): void {
+    const { gl } = this;
     const { state } = this.renderer;
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
     state.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-    gl.blitFramebuffer(0, 0, width, height, 0, 0, canvas.width, canvas.height, gl.COLOR_BUFFER_BIT, share === 1 ? gl.NEAREST : gl.LINEAR);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     state.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
   }
 
-  private buffer(name: string, share: number, samples: number): Buffer {
-    const known = this.buffers.get(name);
-    if (known) return known;
-    const { gl, canvas } = this;
-    const [width, height] = [canvas.width, canvas.height].map((length) => Math.max(1, Math.round(share * length)));
+  private buffer(): Buffer {
+    const { gl } = this;
+    const { width, height } = this.canvas;
     const framebuffer = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     const part = (format: number, place: number): WebGLRenderbuffer => {
       const made = gl.createRenderbuffer();
       gl.bindRenderbuffer(gl.RENDERBUFFER, made);
-      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+      gl.renderbufferStorageMultisample(gl.RENDERBUFFER, SAMPLES, format, width, height);
       gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, made);
       return made;
     };
@@ -123,17 +140,14 @@ export class Painter {
     this.renderer.state.reset();
     const target = new WebGLRenderTarget(width, height);
     (this.renderer as unknown as { setRenderTargetFramebuffer(target: WebGLRenderTarget, framebuffer: WebGLFramebuffer): void }).setRenderTargetFramebuffer(target, framebuffer);
-    const buffer = { framebuffer, parts, target };
-    this.buffers.set(name, buffer);
-    return buffer;
+    return { framebuffer, parts, target };
   }
 
-  private drop(name: string): void {
-    const buffer = this.buffers.get(name);
-    if (!buffer) return;
-    this.buffers.delete(name);
-    this.gl.deleteFramebuffer(buffer.framebuffer);
-    for (const part of buffer.parts) this.gl.deleteRenderbuffer(part);
+  private drop(): void {
+    if (!this.smoothBuffer) return;
+    this.gl.deleteFramebuffer(this.smoothBuffer.framebuffer);
+    for (const part of this.smoothBuffer.parts) this.gl.deleteRenderbuffer(part);
+    this.smoothBuffer = null;
   }
 
   /** Learns, without waiting for it, how long a frame takes that was handed over this moment. */
@@ -156,7 +170,7 @@ export class Painter {
   private learn(time: number, isQuick: boolean): void {
     if (!isQuick) {
       this.smoothTime = time;
-      this.isSlow = time > (this.isSlow ? LONG / MARGIN : LONG);
+      this.isSlow = time > (this.isSlow ? LONG / 2 : LONG);
     } else if (this.share === 1 && time > LONG) this.share = COARSE;
     else if (this.share < 1 && time < LONG / MARGIN) this.share = 1;
   }

@@ -61,7 +61,8 @@ export class Stage {
   private drawn = new Map<string, DrawnItem>();
   /** Shown no more; their programs must live until those that come have been drawn with them, or they are made anew. */
   private readonly leaving: DrawnItem[] = [];
-  private isAsked = false;
+  /** The frame that is wanted, by its number; 0 for none. */
+  private asked = 0;
   private hasFitted = false;
   private turning = 0;
   private smoothing = 0;
@@ -93,12 +94,7 @@ export class Stage {
 
   /** Wants one more frame; where frames take long a quick one, and a smooth one when nothing changes any more. */
   ask(): void {
-    if (this.isAsked) return;
-    this.isAsked = true;
-    requestAnimationFrame(() => {
-      this.isAsked = false;
-      this.frame(this.painter.isSlow);
-    });
+    if (this.asked === 0) this.asked = requestAnimationFrame(() => this.frame(this.painter.isSlow));
   }
 
   setPalette(isDark: boolean): void {
@@ -208,7 +204,6 @@ export class Stage {
     this.painter.resize(width, height);
     shared.screen.value.set(width, height);
     this.rig.resize(width, height);
-    this.isAsked = false;
     this.frame(this.painter.isSlow);
   }
 
@@ -341,6 +336,8 @@ export class Stage {
   }
 
   private frame(isQuick = false): void {
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
     if (!this.doc.scene.value) return;
     clearTimeout(this.smoothing);
     if (isQuick) this.smoothing = setTimeout(() => this.smooth(), this.painter.rest) as unknown as number;
@@ -374,7 +371,7 @@ export class Stage {
   /** Draws the frame anew as it should be, unless another one is on its way. */
   private smooth(): void {
     if (this.doc.isBusy.value) this.smoothing = setTimeout(() => this.smooth(), this.painter.rest) as unknown as number;
-    else if (!this.isAsked) this.frame();
+    else if (this.asked === 0) this.frame();
   }
 
   /** Directions of the analyses, as the camera sees them. */
