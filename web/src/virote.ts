@@ -12,6 +12,8 @@ export interface ViroteWindow {
   readonly stateVersion: number;
   /** Whether a state is drawn and listed, and nothing is under way. */
   readonly isReady: boolean;
+  /** Whether the picture is smooth: behind a coarse one comes such a one when nothing changes. */
+  readonly isSmooth: boolean;
   readonly isCurrent: boolean;
   readonly isOnline: boolean;
   readonly camera: Pose & { isOrthographic: boolean };
@@ -57,6 +59,9 @@ export function expose(app: App): void {
     },
     get isReady() {
       return drawn > 0 && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
+    },
+    get isSmooth() {
+      return stage.isSmooth;
     },
     get isCurrent() {
       return doc.state.value?.isCurrent ?? false;

@@ -16,6 +16,8 @@ const MARGIN = 5;
 const COARSE = 0.5;
 /** How many times as long as a smooth frame takes nothing changes before one is drawn: it would come between others. */
 const REST = 5;
+/** Milliseconds after which one is drawn at the latest. */
+const MOST_REST = 1500;
 /** Milliseconds between two looks whether a frame has been drawn. */
 const LOOK = 4;
 /** Renderers without a graphics processor. */
@@ -31,6 +33,8 @@ interface Buffer {
 export class Painter {
   /** Whether smooth frames take long. */
   isSlow: boolean;
+  /** Whether the last frame is a smooth one. */
+  isSmooth = false;
   private readonly renderer: WebGLRenderer;
   private readonly gl: WebGL2RenderingContext;
   private smoothBuffer: Buffer | null = null;
@@ -64,7 +68,7 @@ export class Painter {
 
   /** Milliseconds for which nothing changes before a smooth frame follows a quick one. */
   get rest(): number {
-    return REST * this.smoothTime;
+    return Math.min(REST * this.smoothTime, MOST_REST);
   }
 
   resize(width: number, height: number): void {
@@ -91,6 +95,7 @@ export class Painter {
     const share = isQuick ? this.share : 1;
     shared.dots.value = share;
     this.take(share);
+    this.isSmooth = !isQuick;
     if (isQuick) {
       this.renderer.render(scene, camera);
     } else {

@@ -108,6 +108,11 @@ export class Stage {
     this.restyle();
   }
 
+  /** Whether the last frame is as smooth as can be. */
+  get isSmooth(): boolean {
+    return this.painter.isSmooth;
+  }
+
   get items(): Iterable<DrawnItem> {
     return this.drawn.values();
   }
