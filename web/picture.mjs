@@ -17,6 +17,7 @@ try {
   await page.mouse.move(0, 0);
   await page.waitForFunction(() => window.virote.isReady);
   await page.evaluate(() => new Promise((done) => setTimeout(done, 500)));
+  await page.waitForFunction(() => window.virote.isSmooth);
   await page.screenshot({ path: picture });
   if (page.faults.length > 0) throw new Error(page.faults.join("\n"));
 } finally {

@@ -3,11 +3,11 @@
 use std::{
     fs,
     path::{Path, PathBuf},
-    time::SystemTime,
+    time::{Duration, Instant, SystemTime},
 };
 
-/// Looks that a file may be gone before that is told: editors put a new file in the place of the old.
-const MOST_GONE: usize = 2;
+/// How long the script may be gone before that is told: editors put a new file in the place of the old.
+const MOST_GONE: Duration = Duration::from_millis(24);
 
 /// What tells a file from the one that stood in its place before: when it was written, and its
 /// length; nothing where there is none.
@@ -25,7 +25,8 @@ pub(crate) struct WatchedFiles {
     seen: Vec<(PathBuf, FileStamp)>,
     /// As they were at the last look: who still writes is waited for.
     last: Vec<FileStamp>,
-    n_gone: usize,
+    /// Since when the script is gone, and whether that was told.
+    gone: Option<(Instant, bool)>,
     is_first: bool,
 }
 
@@ -41,7 +42,7 @@ pub(crate) enum FileChange {
 impl WatchedFiles {
     pub(crate) fn new(script: &Path) -> Self {
         let seen = vec![(script.to_path_buf(), None)];
-        Self { seen, last: vec![None], n_gone: 0, is_first: true }
+        Self { seen, last: vec![None], gone: None, is_first: true }
     }
 
     /// Looks at the script and these files from now on, which were so when they were read.
@@ -62,15 +63,16 @@ impl WatchedFiles {
         let is_still = now == self.last || self.is_first;
         self.last.clone_from(&now);
         if now[0].is_none() {
-            self.n_gone += 1;
-            if self.n_gone != MOST_GONE {
+            let (since, is_told) = *self.gone.get_or_insert((Instant::now(), false));
+            if is_told || since.elapsed() < MOST_GONE {
                 return FileChange::Nothing;
             }
+            self.gone = Some((since, true));
             // When it comes back it is carried out, even if it is the same.
             self.seen[0].1 = None;
             return FileChange::Gone;
         }
-        self.n_gone = 0;
+        self.gone = None;
         let mut apart = self.seen.iter().zip(&now).filter(|((_, seen), now)| seen != *now);
         let Some(((path, _), _)) = apart.next().filter(|_| is_still) else {
             return FileChange::Nothing;

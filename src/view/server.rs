@@ -15,7 +15,7 @@ use super::{
     doors::Doors,
     guard::Guard,
     http::{HttpError, Request, Response, begin_stream},
-    hub::News,
+    hub::{Hub, News},
     routes,
 };
 
@@ -86,14 +86,22 @@ fn answer(stream: &mut TcpStream, guard: &Guard, doors: &Doors) {
             return Response::refuse(HttpError(405, "only GET"), stream);
         }
         // It ends when nobody reads it any more.
-        let _ = tell_events(stream, doors);
+        let _ = tell_events(stream, doors, request.query("states") == Some("whole"));
         return;
     }
     let _ = routes::answer(&request, doors).send(stream);
 }
 
-/// Tells what happens, until the other side has gone.
-fn tell_events(stream: &mut TcpStream, doors: &Doors) -> std::io::Result<()> {
+/// The state of a version as a member of an event, if it is still the newest; what it holds is one line.
+fn whole(hub: &Hub, news: News) -> String {
+    let shown = hub.shown();
+    let is_it = shown.version == news.version;
+    let state = std::str::from_utf8(&shown.state).ok().filter(|_| is_it && 0 < news.version);
+    state.map_or_else(String::new, |state| format!(",\"state\":{state}"))
+}
+
+/// Tells what happens, until the other side has gone; of states all that there is to tell if they are wanted whole.
+fn tell_events(stream: &mut TcpStream, doors: &Doors, is_whole: bool) -> std::io::Result<()> {
     begin_stream(stream)?;
     let hub = &doors.hub;
     let _listener = hub.listen();
@@ -104,16 +112,16 @@ fn tell_events(stream: &mut TcpStream, doors: &Doors) -> std::io::Result<()> {
             return Ok(());
         }
         let mut text = String::new();
-        let mut event = |name: &str, version: u64| {
-            text.push_str(&format!("event: {name}\ndata: {{\"version\":{version}}}\n\n"));
+        let mut event = |name: &str, version: u64, more: &str| {
+            text.push_str(&format!("event: {name}\ndata: {{\"version\":{version}{more}}}\n\n"));
         };
         if known.is_none_or(|known| known.version != news.version) {
-            event("state", news.version);
+            event("state", news.version, &if is_whole { whole(hub, news) } else { String::new() });
         }
         if let Some(version) = news.busy
             && known.is_none_or(|known| known.busy != news.busy)
         {
-            event("busy", version);
+            event("busy", version, "");
         }
         if text.is_empty() {
             text.push_str(": still here\n\n");

@@ -11,7 +11,7 @@ use super::hub::Hub;
 use crate::disk::{FileChange, FileStamp, WatchedFiles};
 
 /// How often files are looked at while somebody looks at the page, and while nobody does.
-const TICKS: [Duration; 2] = [Duration::from_millis(12), Duration::from_millis(100)];
+const TICKS: [Duration; 2] = [Duration::from_millis(4), Duration::from_millis(100)];
 
 /// The files as they are now: the first run, which is wanted from the beginning, reads them so or newer.
 pub(super) fn begin(script: &Path) -> WatchedFiles {

@@ -6,7 +6,7 @@ import { DeviationMap } from "./model/deviation";
 import { Document, type Hit } from "./model/document";
 import { SettingsSignal, type Shade } from "./model/settings";
 import { ClaimsPanel, diagnosticsPanel } from "./panels/claims";
-import { copy, el } from "./panels/dom";
+import { copy, el, say } from "./panels/dom";
 import { expressionOf, FactsPanel } from "./panels/facts";
 import { legend } from "./panels/legend";
 import { LookPanel } from "./panels/look";
@@ -20,6 +20,9 @@ import { NAMED_VIEWS, type NamedView } from "./view/rig";
 import { Stage } from "./view/stage";
 
 const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "draft", "sides", "deviation"];
+
+/** Milliseconds after which the panels are there without a picture too. */
+const UNVEILED = 1000;
 
 export class App {
   readonly settings = new SettingsSignal();
@@ -70,6 +73,7 @@ export class App {
       diagnosticsPanel(doc),
     );
     host.append(toolbar.root, el("div", { class: "work" }, left, this.view, right), this.help);
+    this.unveil(left, right);
     settings.watch(({ leftPanel, rightPanel }) => {
       left.hidden = !leftPanel;
       right.hidden = !rightPanel;
@@ -141,6 +145,18 @@ export class App {
     });
   }
 
+  /** Shows the panels behind the first picture, which would wait until they are painted. */
+  private unveil(...panels: HTMLElement[]): void {
+    const show = (isShown: boolean): void => panels.forEach((panel) => (panel.style.visibility = isShown ? "" : "hidden"));
+    const first = (): void => {
+      this.stage.afterFrame.delete(first);
+      show(true);
+    };
+    show(false);
+    this.stage.afterFrame.add(first);
+    setTimeout(first, UNVEILED);
+  }
+
   /** Puts the theme onto the page and the picture. */
   private dress(): void {
     const { theme } = this.settings.value;
@@ -156,12 +172,12 @@ export class App {
   private greeting(): HTMLElement {
     const text = el("p");
     const root = el("div", { class: "greeting" }, text);
-    const say = (state: State | null): void => {
+    const greet = (state: State | null): void => {
       root.hidden = state !== null && state.items.length > 0;
       const isBroken = state?.diagnostics.some((one) => one.severity === "error") ?? false;
-      text.textContent = state === null || state.version === 0 ? "Evaluating the script …" : isBroken ? "Nothing to show until the script is whole." : "The script has nothing to draw yet.";
+      say(text, state === null || state.version === 0 ? "Evaluating the script …" : isBroken ? "Nothing to show until the script is whole." : "The script has nothing to draw yet.");
     };
-    this.doc.state.watch(say);
+    this.doc.state.watch(greet);
     return root;
   }
 

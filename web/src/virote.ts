@@ -10,8 +10,10 @@ export interface ViroteWindow {
   readonly version: 1;
   /** Version of the state that is drawn; -1 before the first. */
   readonly stateVersion: number;
-  /** Whether a state is drawn and nothing is under way. */
+  /** Whether a state is drawn and listed, and nothing is under way. */
   readonly isReady: boolean;
+  /** Whether the picture is smooth: behind a coarse one comes such a one when nothing changes. */
+  readonly isSmooth: boolean;
   readonly isCurrent: boolean;
   readonly isOnline: boolean;
   readonly camera: Pose & { isOrthographic: boolean };
@@ -56,7 +58,10 @@ export function expose(app: App): void {
       return drawn;
     },
     get isReady() {
-      return drawn > 0 && drawn === doc.state.value?.version && !doc.isBusy.value;
+      return drawn > 0 && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
+    },
+    get isSmooth() {
+      return stage.isSmooth;
     },
     get isCurrent() {
       return doc.state.value?.isCurrent ?? false;

@@ -49,6 +49,7 @@ run("the model is where it should be and nowhere else", async () => {
 
 run("no frame is drawn while nothing changes", async () => {
   const frames = () => page.evaluate(() => window.virote.n_frames);
+  await until(page, () => window.virote.isSmooth);
   await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
   const n_frames = await frames();
   await page.evaluate(() => new Promise((done) => setTimeout(done, 600)));

@@ -16,7 +16,7 @@ use super::{
     bend::{DerivativeBounds, PieceBounds},
     form::ParameterBoxes,
     near::near_rules,
-    rules::CellRules,
+    rules::{CellRules, CompactRules},
 };
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
@@ -183,8 +183,12 @@ impl CellBounds {
     /// Whether a box keeps to the limits of all pieces that it touches.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
         let [rows, columns] = Direction::BOTH.map(|along| self.touched(along, box_of[along]));
+        self.allow_over(rows, &columns, box_of.map(|[low, high]| high - low))
+    }
+
+    /// Whether a box of these widths keeps to the limits of the pieces in these rows and columns.
+    fn allow_over(&self, rows: Range<usize>, columns: &Range<usize>, widths: [f64; 2]) -> bool {
         let pieces = rows.flat_map(|i| &self.rules.row(i)[columns.clone()]);
-        let widths = box_of.map(|[low, high]| high - low);
         CellRules::all_allow(pieces, widths)
     }
 
@@ -207,7 +211,9 @@ impl CellBounds {
         for (step_u, rows) in &steps_u {
             for (step_v, columns) in &steps_v {
                 // Widths are those that cells of one piece may have.
-                if 2 < rows.len() + columns.len() && !self.allow([*step_u, *step_v]) {
+                let widths = [step_u[1] - step_u[0], step_v[1] - step_v[0]];
+                if 2 < rows.len() + columns.len() && !self.allow_over(rows.clone(), columns, widths)
+                {
                     is_faulty[0][rows.clone()].fill(true);
                     is_faulty[1][columns.clone()].fill(true);
                 }
@@ -233,12 +239,15 @@ impl CellBounds {
                 *width = width.min(b);
             }
         }
-        let turned = self.rules.map(|rules| rules.swapped()).transposed();
+        let (n_rows, n_columns) = (self.rules.n_rows(), self.rules.n_columns());
+        let rules = CompactRules::new(n_columns, self.rules.iter().copied());
+        let across = (0..n_columns).flat_map(|j| (0..n_rows).map(move |i| (i, j)));
+        let turned = CompactRules::new(n_rows, across.map(|(i, j)| self.rules.get(i, j).swapped()));
         let balanced = |factor: f64| {
             let mut columns: Vec<f64> =
                 widths.iter().map(|width| (factor * width).min(wholes[1])).collect();
-            let rows = widest(&self.rules, &columns, wholes[0]);
-            for (width, wider) in columns.iter_mut().zip(widest(&turned, &rows, wholes[1])) {
+            let rows = rules.widest(&columns, wholes[0]);
+            for (width, wider) in columns.iter_mut().zip(turned.widest(&rows, wholes[1])) {
                 *width = width.max(wider);
             }
             let counts = [count(&self.ends[0], &rows), count(&self.ends[1], &columns)];
@@ -261,15 +270,6 @@ impl CellBounds {
         }
         best.1
     }
-}
-
-/// The widest steps along u that go with steps along v.
-fn widest(rules: &Grid<CellRules>, columns: &[f64], whole: f64) -> Vec<f64> {
-    let of_row = |i: usize| {
-        let row = rules.row(i).iter().zip(columns);
-        row.fold(whole, |most, (rules, &b)| rules.widest_below(most, b))
-    };
-    (0..rules.n_rows()).map(of_row).collect()
 }
 
 fn count(ends: &[f64], widths: &[f64]) -> f64 {

@@ -32,6 +32,70 @@ pub(super) struct NormalRules {
     pub(super) line: ParameterBoxes,
 }
 
+/// The rules of the pieces of a surface without those that allow everything, one behind the other: to be gone through
+/// many times.
+#[derive(Debug)]
+pub(super) struct CompactRules {
+    n_columns: usize,
+    pieces: Vec<CompactPiece>,
+    forms: Vec<ParameterBoxes>,
+}
+
+/// Where among the forms those of a piece are: that of the whole, those along the normal, and those that hold besides.
+#[derive(Clone, Copy, Debug)]
+struct CompactPiece {
+    first: usize,
+    n_near: Option<usize>,
+    n_also: usize,
+}
+
+impl CompactRules {
+    /// Those of pieces in rows of `n_columns`.
+    pub(super) fn new(n_columns: usize, all: impl Iterator<Item = CellRules>) -> Self {
+        let (mut pieces, mut forms) = (Vec::new(), Vec::new());
+        let counts = |form: &ParameterBoxes| *form != ParameterBoxes::NONE;
+        for rules in all {
+            let first = forms.len();
+            forms.push(rules.whole);
+            let n_near = rules.near.map(|near| {
+                forms.extend(near.forms().into_iter().filter(counts));
+                forms.len() - first - 1
+            });
+            let n_before = forms.len();
+            forms.extend(rules.also.into_iter().filter(counts));
+            pieces.push(CompactPiece { first, n_near, n_also: forms.len() - n_before });
+        }
+        Self { n_columns, pieces, forms }
+    }
+
+    /// The widest step along u over each row for steps along v, up to `whole`.
+    pub(super) fn widest(&self, columns: &[f64], whole: f64) -> Vec<f64> {
+        let of_row = |row: &[CompactPiece]| {
+            let pieces = row.iter().zip(columns);
+            pieces.fold(whole, |most, (&piece, &b)| self.widest_below(piece, most, b))
+        };
+        self.pieces.chunks(self.n_columns.max(1)).map(of_row).collect()
+    }
+
+    /// The widest step along u for one along v, if it is less than `most`: mostly it is not, which takes no root to
+    /// tell. Nothing where the one along v is too wide alone.
+    fn widest_below(&self, piece: CompactPiece, most: f64, b: f64) -> f64 {
+        let forms = &self.forms[piece.first..];
+        let (whole, n_near) = (forms[0], piece.n_near.unwrap_or(0));
+        let near = piece.n_near.map(|n_near| &forms[1..][..n_near]);
+        let also = &forms[1 + n_near..][..piece.n_also];
+        let fits = |form: &ParameterBoxes| form.share([most, b]) <= 1.0;
+        let keeps = |near: &[ParameterBoxes]| near.iter().all(fits);
+        if keeps(also) && (fits(&whole) || near.is_some_and(keeps)) {
+            return most;
+        }
+        let least = |forms: &[ParameterBoxes]| {
+            forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min)
+        };
+        least(also).min(whole.widest(b).max(near.map_or(0.0, least))).min(most)
+    }
+}
+
 /// The side to which something bends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BendingSide {
@@ -70,25 +134,6 @@ impl CellRules {
                 && pieces
                     .filter_map(|rules| rules.near)
                     .all(|near| is_round(near.lift.and(near.slip)))
-    }
-
-    /// The widest step along u for one along v, if it is less than `most`: mostly it is not, which takes no root to
-    /// tell.
-    pub(super) fn widest_below(&self, most: f64, b: f64) -> f64 {
-        let fits = |form: &ParameterBoxes| form.share([most, b]) <= 1.0;
-        let keeps = |near: &NormalRules| near.forms().iter().all(fits);
-        let is_most = self.also.iter().all(fits)
-            && (fits(&self.whole) || self.near.as_ref().is_some_and(keeps));
-        if is_most { most } else { self.widest(b).min(most) }
-    }
-
-    /// The widest step along u for one along v; nothing where the latter is too wide alone.
-    fn widest(&self, b: f64) -> f64 {
-        let least = |forms: &[ParameterBoxes]| {
-            forms.iter().map(|form| form.widest(b)).fold(f64::INFINITY, f64::min)
-        };
-        let near = self.near.map_or(0.0, |near| least(&near.forms()));
-        least(&self.also).min(self.whole.widest(b).max(near))
     }
 
     /// Widths of a cell that keeps to them, about as large as one may be; `ratio` is how many times

@@ -195,9 +195,15 @@ struct Events(BufReader<std::net::TcpStream>);
 
 impl Events {
     fn of(view: &View) -> Self {
+        Self::asked(view, "")
+    }
+
+    fn asked(view: &View, more: &str) -> Self {
         let mut stream = view.connect();
-        let text =
-            format!("GET /api/events?token={} HTTP/1.1\r\nHost: {}\r\n\r\n", view.token, view.host);
+        let text = format!(
+            "GET /api/events?token={}{more} HTTP/1.1\r\nHost: {}\r\n\r\n",
+            view.token, view.host
+        );
         stream.write_all(text.as_bytes()).expect("it is sent");
         Self(BufReader::new(stream))
     }
@@ -234,6 +240,17 @@ fn two_windows_hear_the_same() {
     drop(gone);
     view.save(SCRIPT);
     assert_eq!(stays.until("event: state"), "data: {\"version\":3}");
+}
+
+#[test]
+fn a_stream_brings_states_whole_where_they_are_wanted_so() {
+    let view = View::of("whole", SCRIPT);
+    let state = view.current();
+    let mut events = Events::asked(&view, "&states=whole");
+    let line = events.until("event: state");
+    let told: serde_json::Value =
+        serde_json::from_str(line.strip_prefix("data: ").expect("data")).expect("JSON");
+    assert_eq!([&told["version"], &told["state"]], [&state["version"], &state]);
 }
 
 #[test]

@@ -19,10 +19,15 @@ const PAUSES = [250, 500, 1000, 2000, 4000];
 export class HttpDoor implements Door {
   readonly canEvaluate = true;
 
+  /** The state that came with the last event, until it is asked for. */
+  private told: State | null = null;
+
   constructor(private readonly token: string) {}
 
   async state(): Promise<State> {
-    return (await (await this.get("state")).json()) as State;
+    const { told } = this;
+    this.told = null;
+    return told ?? ((await (await this.get("state")).json()) as State);
   }
 
   async items(keys: string[]): Promise<ArrayBuffer[]> {
@@ -74,9 +79,10 @@ export class HttpDoor implements Door {
   listen(listener: (event: DoorEvent) => void): void {
     let n_failures = 0;
     const open = (): void => {
-      const stream = new EventSource(`api/events?token=${encodeURIComponent(this.token)}`);
+      const stream = new EventSource(`api/events?states=whole&token=${encodeURIComponent(this.token)}`);
       const tell = (kind: "busy" | "state") => (message: MessageEvent<string>) => {
-        const { version } = JSON.parse(message.data) as { version: number };
+        const { version, state } = JSON.parse(message.data) as { version: number; state?: State };
+        if (kind === "state") this.told = state ?? null;
         listener({ kind, version });
       };
       stream.addEventListener("busy", tell("busy"));
@@ -87,6 +93,7 @@ export class HttpDoor implements Door {
       };
       stream.onerror = () => {
         stream.close();
+        this.told = null;
         listener({ kind: "connection", isOpen: false });
         // A stream does not tell why it was refused.
         this.state().catch((trouble: unknown) => {

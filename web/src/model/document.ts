@@ -41,10 +41,14 @@ export interface Ghost {
 
 /** Milliseconds until the door is asked again that gave no answer. */
 const AGAIN = 1000;
+/** Milliseconds between two states that are listed: nobody reads faster, and lists take longer to paint than pictures. */
+const LISTING = 400;
 
 export class Document {
   readonly state = new Signal<State | null>(null);
   readonly scene = new Signal<Scene | null>(null);
+  /** The state that the panels list: the newest one, soon after its picture, but not each of many in a row. */
+  readonly listed = new Signal<State | null>(null);
   readonly isBusy = new Signal(false);
   readonly isOnline = new Signal(true);
   /** Whether another server answers in the place of the one that sent this page. */
@@ -71,7 +75,11 @@ export class Document {
   private isLoading = false;
   private isUnreached = false;
   private timer = 0;
-  private awaiting: (() => void)[] = [];
+  private isListing = false;
+  private listedAt = -LISTING;
+  /** The version that is drawn. */
+  private pictured = -1;
+  private awaiting: { after: number; done: () => void }[] = [];
 
   constructor(
     readonly door: Door,
@@ -94,18 +102,42 @@ export class Document {
         this.isBusy.set(true);
       } else {
         this.isBusy.set(false);
-        if (event.version === this.loaded) return;
-        this.times.event = now();
+        const isLoaded = event.version === this.loaded;
         this.told = event.version;
+        this.release();
+        if (isLoaded) return;
+        this.times.event = now();
         this.isStale = true;
         void this.refresh();
       }
     });
   }
 
-  /** Resolves once a state has come that is newer than now. */
-  nextState(): Promise<void> {
-    return new Promise((done) => this.awaiting.push(done));
+  /** The version that the door told last; -1 before the first. */
+  get version(): number {
+    return this.told;
+  }
+
+  /** Resolves once the door has told a newer version than this, and the one before it is drawn. */
+  passed(after: number): Promise<void> {
+    return new Promise((done) => {
+      this.awaiting.push({ after, done });
+      this.release();
+    });
+  }
+
+  /** The scene is drawn. */
+  drawn(): void {
+    this.pictured = this.scene.value?.state.version ?? -1;
+    this.release();
+  }
+
+  private release(): void {
+    const isOver = ({ after }: { after: number }): boolean => this.told > after && this.told <= this.pictured + 1;
+    const over = this.awaiting.filter(isOver);
+    if (over.length === 0) return;
+    this.awaiting = this.awaiting.filter((one) => !isOver(one));
+    for (const { done } of over) done();
   }
 
   isVisible(item: Item): boolean {
@@ -197,13 +229,13 @@ export class Document {
           this.scene.set({ state, buffers });
           this.times.scene = now();
           this.pin();
+          this.list();
         } catch (trouble) {
           // The server forgot an item of a state that is no longer the newest: ask again.
           if (!(trouble instanceof DoorError && trouble.status === 404) || ++n_lost > 5) throw trouble;
           this.isStale = true;
           continue;
         }
-        for (const done of this.awaiting.splice(0)) done();
       }
     } catch (trouble) {
       if (trouble instanceof TypeError) this.isUnreached = true;
@@ -212,6 +244,22 @@ export class Document {
       this.isLoading = false;
     }
     if (this.isUnreached) this.tryAgain();
+  }
+
+  /** Lets the panels list the newest state, behind its frame where there is one soon. */
+  private list(): void {
+    if (this.isListing) return;
+    this.isListing = true;
+    const tell = (): void => {
+      if (!this.isListing) return;
+      this.isListing = false;
+      this.listedAt = performance.now();
+      this.listed.set(this.state.value);
+    };
+    const wait = Math.max(0, this.listedAt + LISTING - performance.now());
+    requestAnimationFrame(() => setTimeout(tell, wait));
+    // A hidden page has no frames.
+    setTimeout(tell, wait + LISTING);
   }
 
   /** Nobody answered, though something may have been told: asks again until somebody does. */

@@ -2,7 +2,7 @@
 
 import type { Check, State } from "../door/door";
 import { claimName, type Document } from "../model/document";
-import { button, copy, el, section, type Section } from "./dom";
+import { button, copy, el, renew, say, section, type Section } from "./dom";
 import { icon } from "./icons";
 
 const N_AT_MOST = 500;
@@ -13,18 +13,19 @@ export class ClaimsPanel {
   readonly output: Section = section("output", "Output");
 
   constructor(private readonly doc: Document) {
-    doc.state.watch((state) => state && this.show(state));
-    doc.selection.follow(() => doc.state.value && this.showOutput(doc.state.value));
-    doc.claim.follow(() => doc.state.value && this.showClaims(doc.state.value));
+    doc.listed.watch((state) => state && this.show(state));
+    doc.selection.follow(() => doc.listed.value && this.showOutput(doc.listed.value));
+    doc.claim.follow(() => doc.listed.value && this.showClaims(doc.listed.value));
   }
 
   private show(state: State): void {
     const { prints } = state;
     this.showClaims(state);
     this.prints.root.hidden = prints.length === 0;
-    this.prints.note.textContent = String(prints.length);
-    this.prints.body.replaceChildren(
-      ...limited(prints, ({ text, value, line }) =>
+    say(this.prints.note, String(prints.length));
+    renew(
+      this.prints.body,
+      limited(prints, ({ text, value, line }) =>
         el("div", { class: "print", title: line === null ? "" : `line ${line}` }, el("code", {}, text), el("code", { class: "print-value" }, value)),
       ),
     );
@@ -34,10 +35,10 @@ export class ClaimsPanel {
   private showClaims({ checks }: State): void {
     const n_passed = checks.filter((check) => check.verdict === "pass").length;
     this.claims.root.hidden = checks.length === 0;
-    this.claims.note.textContent = n_passed === checks.length ? `${n_passed} hold` : `${checks.length - n_passed} of ${checks.length} fail`;
+    say(this.claims.note, n_passed === checks.length ? `${n_passed} hold` : `${checks.length - n_passed} of ${checks.length} fail`);
     this.claims.note.classList.toggle("bad", n_passed < checks.length);
     const inOrder = [...checks].sort((a, b) => Number(a.verdict === "pass") - Number(b.verdict === "pass"));
-    this.claims.body.replaceChildren(...limited(inOrder, (check) => this.claim(check)));
+    renew(this.claims.body, limited(inOrder, (check) => this.claim(check)));
   }
 
   /** A claim that shows its places at a click, and what of the model it names. */
@@ -81,7 +82,7 @@ export class ClaimsPanel {
       rows.push(this.selectionForm());
     }
     if (body.contains(document.activeElement) && document.activeElement instanceof HTMLInputElement) return;
-    body.replaceChildren(...rows);
+    renew(body, rows);
   }
 
   /** Writes the selected definitions to a file whose ending says the format. */
@@ -89,6 +90,7 @@ export class ClaimsPanel {
     const names = [...new Set(this.doc.selected().map((item) => item.definition))];
     const field = el("input", { type: "text", class: "value wide", spellcheck: "false", "aria-label": "File of the selection" });
     field.value = names.length === 1 ? `${names[0]}.stl` : "selection.stl";
+    field.dataset.of = names.join(" ");
     const form = el("form", { class: "row" }, field, el("button", { type: "submit", class: "plain" }, this.doc.door.isDownloading ? "Download selection" : "Write selection"));
     form.hidden = names.length === 0;
     form.addEventListener("submit", (event) => {
@@ -144,7 +146,7 @@ export function diagnosticsPanel(doc: Document): HTMLElement {
   const head = el("header", {}, title, fold);
   const root = el("div", { class: "diagnostics folded", role: "alert" }, head, list);
   let hadErrors = false;
-  doc.state.watch((state) => {
+  doc.listed.watch((state) => {
     const all = state?.diagnostics ?? [];
     const n_errors = all.filter((one) => one.severity === "error").length;
     root.hidden = all.length === 0;
@@ -152,9 +154,10 @@ export function diagnosticsPanel(doc: Document): HTMLElement {
     if (n_errors > 0 !== hadErrors) root.classList.toggle("folded", n_errors === 0);
     hadErrors = n_errors > 0;
     root.classList.toggle("has-errors", hadErrors);
-    title.textContent = titleOf(all.map((one) => one.severity), state?.isCurrent ?? true);
-    list.replaceChildren(
-      ...limited(all, ({ severity, code, message, text, line }) => {
+    say(title, titleOf(all.map((one) => one.severity), state?.isCurrent ?? true));
+    renew(
+      list,
+      limited(all, ({ severity, code, message, text, line }) => {
         const copier = button(icon("copy"), "Copy the message", () => void copy(text), { class: "tool" });
         const name = el("b", {}, code ? `${severity} ${code}` : severity);
         const place = line === null ? null : el("span", { class: "diagnostic-line" }, `line ${line}`);

@@ -27,6 +27,21 @@ export function svg<K extends keyof SVGElementTagNameMap>(
   return made;
 }
 
+/** Gives an element a text, unless it is the one that it has: what stays need not be painted again. */
+export function say(element: Node, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Gives an element these children; those that are there already, and look alike, stay. */
+export function renew(parent: Element, children: Node[]): void {
+  children.forEach((child, i) => {
+    const old = parent.childNodes[i];
+    if (!old) parent.append(child);
+    else if (!old.isEqualNode(child)) old.replaceWith(child);
+  });
+  while (parent.childNodes.length > children.length) parent.lastChild!.remove();
+}
+
 export function put(element: Element, attributes: Attributes): void {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === undefined || value === false) element.removeAttribute(name);

@@ -31,7 +31,7 @@ export class FactsPanel {
     doc.hit.watch(() => this.show());
     doc.marks.follow(() => this.show());
     doc.selection.follow(() => this.show());
-    doc.scene.follow(() => this.show());
+    doc.listed.follow(() => this.show());
     doc.isMeasuring.follow(() => this.show());
   }
 

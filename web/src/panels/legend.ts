@@ -65,7 +65,7 @@ export function legend(doc: Document, stage: Stage, settings: SettingsSignal, de
   settings.watch(show);
   stage.range.follow(show);
   deviation.follow(show);
-  doc.state.follow(show);
+  doc.listed.follow(show);
   dragEnds(bar, stage);
   for (const [field, which] of [[most, "most"], [least, "least"]] as const) {
     field.addEventListener("change", () => {

@@ -99,7 +99,7 @@ export class LookPanel {
     };
     settings.watch(show);
     deviation.follow(show);
-    this.doc.scene.follow(show);
+    this.doc.listed.follow(show);
   }
 
   /** How long the edges are at which a shell is open, and at which its parts meet. */
@@ -207,7 +207,7 @@ export class LookPanel {
       note.textContent = settings.section ? this.placeText(settings.sectionPlace) : "";
     };
     this.settings.watch(show);
-    this.doc.scene.follow(() => show(this.settings.value));
+    this.doc.listed.follow(() => show(this.settings.value));
   }
 
   private placeText(sectionPlace: number): string {

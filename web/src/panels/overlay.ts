@@ -7,7 +7,7 @@ import type { Document, Hit } from "../model/document";
 import type { SettingsSignal } from "../model/settings";
 import { reachAlong, sectionFrame, sectionMiddle, sectionNormal } from "../view/section";
 import type { Stage } from "../view/stage";
-import { el, figure, put, svg } from "./dom";
+import { el, figure, put, svg, say } from "./dom";
 import { measurement, pointOf } from "./facts";
 import { isStriped, stripesTold } from "./look";
 
@@ -49,7 +49,8 @@ export function overlay(doc: Document, stage: Stage, settings: SettingsSignal): 
       label.textContent = `${figure(distance, 6)} ${doc.state.value?.unit ?? ""}`;
       place(label, a.add(b).multiplyScalar(0.5));
     }
-    drawing.replaceChildren(...shapes);
+    if (shapes.length > 0 || drawing.firstChild) drawing.replaceChildren(...shapes);
+    drawing.style.display = shapes.length > 0 ? "" : "none";
   });
   return root;
 }
@@ -140,7 +141,12 @@ export function triad(stage: Stage): SVGSVGElement {
       return { group, line, ball, text, axis: new Vector3(...axis).multiplyScalar(sign) };
     }),
   );
+  let known = "";
   stage.afterFrame.add(() => {
+    const { azimuth, elevation } = stage.rig.pose;
+    const pose = `${azimuth} ${elevation}`;
+    if (pose === known) return;
+    known = pose;
     const [right, up, back] = stage.rig.axes();
     const seen = ends.map((end) => ({
       end,
@@ -183,8 +189,9 @@ export function scaleBar(doc: Document, stage: Stage, settings: SettingsSignal):
   const root = el("div", { class: "scale", title: "Distance of the grid’s lines" }, bar, text);
   stage.afterFrame.add(() => {
     root.hidden = !settings.value.grid;
-    bar.style.width = `${(stage.grid.step / stage.rig.perPixel).toFixed(1)}px`;
-    text.textContent = `${figure(stage.grid.step)} ${doc.state.value?.unit ?? ""}`;
+    const width = `${(stage.grid.step / stage.rig.perPixel).toFixed(1)}px`;
+    if (bar.style.width !== width) bar.style.width = width;
+    say(text, `${figure(stage.grid.step)} ${doc.state.value?.unit ?? ""}`);
   });
   return root;
 }

@@ -2,10 +2,10 @@
 
 import type { Parameter, State, Values } from "../door/door";
 import type { Document } from "../model/document";
-import { button, copy, el, section, type Section } from "./dom";
+import { button, copy, el, say, section, type Section } from "./dom";
 import { icon } from "./icons";
 
-/** A drag waits so long for the picture of its last value before it sends the next, in milliseconds. */
+/** A drag waits so long for what became of its last value before it sends the next, in milliseconds. */
 const PATIENCE = 400;
 
 interface Control {
@@ -28,13 +28,13 @@ export class ParameterPanel {
       [button(icon("reset"), "Reset all to the script's values", () => void doc.attempt(doc.door.set({ reset: true })), { class: "tool", "data-do": "reset" }), true],
     ];
     for (const [tool, needsDoor] of all) if (!needsDoor || doc.door.canEvaluate) this.section.tools.append(tool);
-    doc.state.watch((state) => state && this.show(state));
+    doc.listed.watch((state) => state && this.show(state));
   }
 
   private show(state: State): void {
     const { body, note } = this.section;
     const n_set = state.parameters.filter((one) => one.isSet).length;
-    note.textContent = n_set > 0 ? `${n_set} changed` : "";
+    say(note, n_set > 0 ? `${n_set} changed` : "");
     this.section.root.classList.toggle("has-changes", n_set > 0);
     const names = new Set(state.parameters.map((one) => one.name));
     for (const [name, { root }] of this.controls) {
@@ -184,7 +184,7 @@ function withTrack(
   };
 }
 
-/** Sends the newest value of each parameter, one request at a time; what a newer one overtakes is never sent. */
+/** Sends the newest values: those that follow as soon as these are evaluated, while they are drawn. What a newer one overtakes is never sent. */
 class Sender {
   private waiting: Values = {};
   private isUnderWay = false;
@@ -200,9 +200,9 @@ class Sender {
   private async run(): Promise<void> {
     this.isUnderWay = true;
     while (Object.keys(this.waiting).length > 0) {
-      const drawn = this.doc.nextState();
+      const { version } = this.doc;
       await this.flush();
-      await Promise.race([drawn, new Promise((done) => setTimeout(done, PATIENCE))]);
+      await Promise.race([this.doc.passed(version), new Promise((done) => setTimeout(done, PATIENCE))]);
     }
     this.isUnderWay = false;
   }

@@ -3,7 +3,7 @@
 import { type Command, keyName } from "../commands";
 import type { Document } from "../model/document";
 import type { SettingsSignal } from "../model/settings";
-import { button, el } from "./dom";
+import { button, el, say } from "./dom";
 import { icon } from "./icons";
 
 /** Commands in the bar, in groups. */
@@ -74,9 +74,9 @@ function viewMenu(commands: Command[]): HTMLElement {
 function title(doc: Document): HTMLElement {
   const name = el("span", { class: "script" });
   const unit = el("span", { class: "unit" });
-  doc.state.watch((state) => {
-    name.textContent = state?.script ?? "";
-    unit.textContent = state?.unit ?? "";
+  doc.listed.watch((state) => {
+    say(name, state?.script ?? "");
+    say(unit, state?.unit ?? "");
     name.title = state?.tolerance ? `${state.script}: tolerance ${state.tolerance} ${state.unit}` : (state?.script ?? "");
     if (state) document.title = `${state.script} · virote`;
   });
@@ -90,19 +90,19 @@ function status(doc: Document): HTMLElement {
   const root = el("div", { class: "status", role: "status" }, el("span", { class: "lamp" }), text, stop);
   let waiting = 0;
   const show = (): void => {
-    const state = doc.state.value;
+    const state = doc.listed.value;
     const isBusy = doc.isBusy.value && root.classList.contains("slow");
     const n_errors = state?.diagnostics.filter((one) => one.severity === "error").length ?? 0;
     const kind = !doc.isOnline.value ? "offline" : isBusy ? "busy" : n_errors > 0 || state?.isCurrent === false ? "error" : "good";
     root.dataset.kind = kind;
     stop.hidden = kind !== "busy" || !doc.door.canEvaluate;
     const { evaluate = 0, mesh = 0 } = state?.milliseconds ?? {};
-    text.textContent = {
+    say(text, {
       offline: doc.isForeign ? "the command was started anew: open the address that it printed" : "no connection",
       busy: "evaluating",
       error: n_errors === 1 ? "1 error" : n_errors > 0 ? `${n_errors} errors` : "not current",
       good: doc.door.canEvaluate && state ? `${Math.round(evaluate + mesh)} ms` : "",
-    }[kind];
+    }[kind]);
     const { evaluated = 0, reused = 0 } = state?.definitions ?? {};
     root.title = state ? `evaluated in ${evaluate.toFixed(1)} ms, meshed in ${mesh.toFixed(1)} ms; ${evaluated} definitions evaluated, ${reused} reused` : "";
   };
@@ -117,7 +117,7 @@ function status(doc: Document): HTMLElement {
     show();
   });
   doc.isOnline.follow(show);
-  doc.state.follow(show);
+  doc.listed.follow(show);
   return root;
 }
 

@@ -4,7 +4,7 @@ import type { Item } from "../door/door";
 import type { Document } from "../model/document";
 import type { Stage } from "../view/stage";
 import { colorOf, cssOf } from "../view/theme";
-import { button, el, section, type Section } from "./dom";
+import { button, el, renew, say, section, type Section } from "./dom";
 import { icon } from "./icons";
 
 const ROW_HEIGHT = 24;
@@ -43,7 +43,7 @@ export class TreePanel {
     this.scroll.addEventListener("scroll", () => this.draw());
     this.scroll.addEventListener("keydown", (event) => this.key(event));
     new ResizeObserver(() => this.draw()).observe(this.scroll);
-    doc.scene.watch(() => this.rebuild());
+    doc.listed.watch(() => this.rebuild());
     doc.choices.follow(() => this.draw());
     doc.selection.follow(() => this.reveal());
   }
@@ -53,7 +53,7 @@ export class TreePanel {
     const first = Math.max(0, Math.floor(this.scroll.scrollTop / ROW_HEIGHT) - N_SPARE);
     const last = Math.min(this.rows.length, first + Math.ceil(this.scroll.clientHeight / ROW_HEIGHT) + 2 * N_SPARE);
     this.space.style.height = `${this.rows.length * ROW_HEIGHT}px`;
-    this.space.replaceChildren(...this.rows.slice(first, last).map((row, i) => this.drawRow(row, first + i)));
+    renew(this.space, this.rows.slice(first, last).map((row, i) => this.drawRow(row, first + i)));
   }
 
   private rebuild(): void {
@@ -77,11 +77,12 @@ export class TreePanel {
       }
     }
     const n_hidden = items.filter((item) => !this.doc.isVisible(item)).length;
-    this.section.note.textContent = items.length === 0 ? "" : n_hidden > 0 ? `${items.length}, ${n_hidden} hidden` : String(items.length);
+    say(this.section.note, items.length === 0 ? "" : n_hidden > 0 ? `${items.length}, ${n_hidden} hidden` : String(items.length));
     this.scroll.classList.toggle("empty", items.length === 0);
     this.draw();
   }
 
+  /** A row by its number: what it was made of may be another one when it is clicked, if that looks alike. */
   private drawRow(row: Row, index: number): HTMLElement {
     const { items } = row;
     const [item] = items;
@@ -92,12 +93,12 @@ export class TreePanel {
     const fold = row.list
       ? button(icon("chevron"), "Unfold the list", (event) => {
           event.stopPropagation();
-          this.toggle(row.list!);
+          this.toggle(this.rows[index].list!);
         }, { class: `fold${this.open.has(row.list) ? " open" : ""}`, tabindex: "-1" })
       : el("span", { class: "fold" });
     const eye = button(icon(isVisible ? "eye" : "eyeOff"), isVisible ? "Hide" : "Show", (event) => {
       event.stopPropagation();
-      this.doc.show(items.map((one) => one.path), !isVisible);
+      this.doc.show(this.rows[index].items.map((one) => one.path), !isVisible);
     }, { class: "eye", tabindex: "-1" });
     const line = el(
       "div",
@@ -117,7 +118,7 @@ export class TreePanel {
       eye,
     );
     line.style.top = `${index * ROW_HEIGHT}px`;
-    line.addEventListener("click", (event) => this.click(row, index, event));
+    line.addEventListener("click", (event) => this.click(this.rows[index], index, event));
     line.addEventListener("dblclick", () => this.stage.fit(true));
     return line;
   }

@@ -14,22 +14,39 @@ export const MODES = {
   deviation: 9,
 } as const;
 
+// A surface has a program for each way of shading that was wanted (MODE): a processor that draws by itself goes
+// through everything that a program holds, whatever it needs of it.
 export const SURFACE_VERTEX = /* glsl */ `
 #include <clipping_planes_pars_vertex>
-attribute vec2 curvature;
-attribute vec3 tint;
-attribute float deviation;
-uniform float hasTint;
-varying float vDeviation;
-varying vec3 vNormal;
 varying vec3 vPlace;
+#if IS_FLAT == 0
+varying vec3 vNormal;
+#endif
+#if MODE >= 3 && MODE <= 6
+attribute vec2 curvature;
 varying vec2 vCurvature;
+#endif
+#if MODE == 9
+attribute float deviation;
+varying float vDeviation;
+#endif
+#if HAS_TINT == 1
+attribute vec3 tint;
 varying vec3 vTint;
+#endif
 void main() {
-  vNormal = normalMatrix * normal;
-  vCurvature = curvature;
-  vDeviation = deviation;
-  vTint = mix(vec3(1.0), tint, hasTint);
+  #if IS_FLAT == 0
+    vNormal = normalMatrix * normal;
+  #endif
+  #if MODE >= 3 && MODE <= 6
+    vCurvature = curvature;
+  #endif
+  #if MODE == 9
+    vDeviation = deviation;
+  #endif
+  #if HAS_TINT == 1
+    vTint = tint;
+  #endif
   vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
   vPlace = mvPosition.xyz;
   gl_Position = projectionMatrix * mvPosition;
@@ -40,15 +57,12 @@ export const SURFACE_FRAGMENT = /* glsl */ `
 #include <clipping_planes_pars_fragment>
 uniform vec3 color;
 uniform float opacity;
-uniform float hasTint;
-uniform float isFlat;
 uniform float hasCurvature;
 uniform float hasDeviation;
 uniform float isSelected;
 uniform float fade;
 uniform vec3 faded;
 uniform vec3 accent;
-uniform int mode;
 uniform float isParallel;
 uniform float isFromAfar;
 uniform float stripes;
@@ -56,14 +70,26 @@ uniform vec3 axis;
 uniform vec3 light;
 uniform vec2 range;
 uniform float draft;
-varying vec3 vNormal;
 varying vec3 vPlace;
+#if IS_FLAT == 0
+varying vec3 vNormal;
+#endif
+#if MODE >= 3 && MODE <= 6
 varying vec2 vCurvature;
+#endif
+#if MODE == 9
 varying float vDeviation;
+#endif
+#if HAS_TINT == 1
 varying vec3 vTint;
+#endif
 
+// To light and back, by polynomials and roots: powers take a processor longer than all else.
 vec3 linear(vec3 c) { return c * c * (0.305306 * c + 0.682171) + 0.012523 * c; }
-vec3 shown(vec3 c) { return pow(max(c, 0.0), vec3(0.4167)) * 1.055 - 0.055; }
+vec3 shown(vec3 c) {
+  vec3 a = sqrt(max(c, 0.0)), b = sqrt(a), d = sqrt(b);
+  return max(0.662002687 * a + 0.684122060 * b - 0.323583601 * d - 0.0225411470 * c, 0.0);
+}
 
 // Blue over a quiet middle to red; both ends dark enough to stand on paper.
 vec3 ramp(float t) {
@@ -83,14 +109,18 @@ float stripe(float x, float width) {
   return mix(smoothstep(-w, w, d), 0.5, smoothstep(0.35, 0.9, w));
 }
 
+// Directions of length 1 to the lamps: one above on the left, one on the right.
+const vec3 KEY = vec3(-0.426162, 0.662919, 0.615568), FILL = vec3(0.799002, 0.049938, 0.599251);
 vec3 lit(vec3 base, vec3 n, vec3 v, float gloss) {
-  float key = max(dot(n, normalize(vec3(-0.45, 0.70, 0.65))), 0.0);
-  float fill = max(dot(n, normalize(vec3(0.80, 0.05, 0.60))), 0.0);
+  float key = max(dot(n, KEY), 0.0);
+  float fill = max(dot(n, FILL), 0.0);
   float sky = 0.5 + 0.5 * n.y;
   vec3 warm = vec3(1.0, 0.985, 0.96), cool = vec3(0.90, 0.95, 1.0);
-  vec3 h = normalize(normalize(vec3(-0.45, 0.70, 0.65)) + v);
-  float shine = pow(max(dot(n, h), 0.0), 60.0) * 0.22 + pow(max(dot(n, h), 0.0), 12.0) * 0.06;
-  float rim = pow(1.0 - max(dot(n, v), 0.0), 3.0) * 0.10;
+  float s = max(dot(n, normalize(KEY + v)), 0.0);
+  float s4 = s * s * s * s, s12 = s4 * s4 * s4, s48 = s12 * s12 * s12 * s12;
+  float shine = s48 * s12 * 0.22 + s12 * 0.06;
+  float away = 1.0 - max(dot(n, v), 0.0);
+  float rim = away * away * away * 0.10;
   vec3 c = linear(base) * (0.20 + 0.22 * sky * cool + 0.58 * key * warm + 0.20 * fill * cool);
   return shown(c + gloss * (shine + rim));
 }
@@ -99,13 +129,22 @@ void main() {
   #include <clipping_planes_fragment>
   vec3 v = isParallel > 0.5 ? vec3(0.0, 0.0, 1.0) : normalize(-vPlace);
   vec3 face = normalize(cross(dFdx(vPlace), dFdy(vPlace)));
-  vec3 n = isFlat > 0.5 ? face : normalize(vNormal);
-  bool isBack = isFlat > 0.5 ? !gl_FrontFacing : dot(n, face) < 0.0;
-  vec3 outward = isFlat > 0.5 && !gl_FrontFacing ? -n : n;
-  if (isBack && isFlat < 0.5) n = -n;
-  vec3 base = hasTint > 0.5 ? vTint : color;
+  #if IS_FLAT == 1
+    vec3 n = face;
+    bool isBack = !gl_FrontFacing;
+    vec3 outward = isBack ? -n : n;
+  #else
+    vec3 n = normalize(vNormal), outward = n;
+    bool isBack = dot(n, face) < 0.0;
+    if (isBack) n = -n;
+  #endif
+  #if HAS_TINT == 1
+    vec3 base = vTint;
+  #else
+    vec3 base = color;
+  #endif
   vec3 c;
-  if (mode == 1) {
+  #if MODE == 1
     // By the sector, about an axis across the view, into which the ray is mirrored, as the kernel has them.
     vec3 ray = isFromAfar > 0.5 ? vec3(0.0, 0.0, 1.0) : v;
     vec3 r = reflect(-ray, n);
@@ -115,36 +154,43 @@ void main() {
     float s = stripe(atan(q.x, q.y) * scale, (abs(turn.x) + abs(turn.y)) * scale);
     c = mix(vec3(0.07, 0.08, 0.10), vec3(0.97, 0.97, 0.96), s);
     c = mix(c, lit(c, n, v, 1.0), 0.35);
-  } else if (mode == 2) {
+  #elif MODE == 2
     float x = acos(clamp(dot(outward, light), -1.0, 1.0)) * stripes / 1.57079633;
     float s = stripe(x, fwidth(x));
     c = lit(mix(base, vec3(0.14, 0.18, 0.24), s * 0.72), n, v, 0.4);
-  } else if (mode == 9 && hasDeviation < 0.5) {
-    c = lit(mix(base, vec3(0.62, 0.66, 0.70), 0.7), n, v, 0.4);
-  } else if (mode >= 3 && mode <= 6 || mode == 9) {
-    float k = mode == 9 ? vDeviation
-      : mode == 3 ? vCurvature.x * vCurvature.y
-      : mode == 4 ? 0.5 * (vCurvature.x + vCurvature.y)
-      : mode == 5 ? vCurvature.x : vCurvature.y;
-    bool isKnown = (mode == 9 || hasCurvature > 0.5) && k == k && abs(k) < 1e30;
+  #elif MODE >= 3 && MODE <= 6 || MODE == 9
+    #if MODE == 9
+      float k = vDeviation;
+    #elif MODE == 3
+      float k = vCurvature.x * vCurvature.y;
+    #elif MODE == 4
+      float k = 0.5 * (vCurvature.x + vCurvature.y);
+    #elif MODE == 5
+      float k = vCurvature.x;
+    #else
+      float k = vCurvature.y;
+    #endif
+    bool isKnown = (MODE == 9 || hasCurvature > 0.5) && k == k && abs(k) < 1e30;
     vec3 q = isKnown ? ramp((k - range.x) / (range.y - range.x)) : vec3(0.55);
     if (!isKnown && mod(gl_FragCoord.x + gl_FragCoord.y, 8.0) < 2.0) q = vec3(0.42);
     c = mix(q, lit(q, n, v, 0.25), 0.55);
-  } else if (mode == 7) {
+    #if MODE == 9
+      if (hasDeviation < 0.5) c = lit(mix(base, vec3(0.62, 0.66, 0.70), 0.7), n, v, 0.4);
+    #endif
+  #elif MODE == 7
     float angle = degrees(asin(clamp(dot(outward, axis), -1.0, 1.0)));
     float w = max(fwidth(angle), 1e-4);
     vec3 q = mix(vec3(0.76, 0.25, 0.22), vec3(0.95, 0.78, 0.35), smoothstep(-w, w, angle + draft));
     q = mix(q, vec3(0.25, 0.62, 0.45), smoothstep(-w, w, angle - draft));
     c = mix(q, lit(q, n, v, 0.25), 0.6);
-  } else if (mode == 8) {
-    bool isInside = isFlat > 0.5 ? !gl_FrontFacing : isBack;
-    c = lit(isInside ? vec3(0.80, 0.35, 0.62) : vec3(0.42, 0.66, 0.72), n, v, 0.5);
-  } else {
+  #elif MODE == 8
+    c = lit(isBack ? vec3(0.80, 0.35, 0.62) : vec3(0.42, 0.66, 0.72), n, v, 0.5);
+  #else
     c = lit(isBack ? mix(base, base * vec3(0.80, 0.84, 0.90), 0.8) : base, n, v, 1.0);
-  }
+  #endif
   if (isSelected > 0.5) {
     float edge = 1.0 - max(dot(n, v), 0.0);
-    c = mix(c, accent, mode == 0 ? 0.16 + 0.40 * edge : 0.10 + 0.45 * edge * edge);
+    c = mix(c, accent, MODE == 0 ? 0.16 + 0.40 * edge : 0.10 + 0.45 * edge * edge);
   }
   float grey = dot(c, vec3(0.30, 0.59, 0.11));
   c = mix(c, mix(vec3(grey), faded, 0.45), fade);
@@ -231,12 +277,13 @@ void main() {
 export const DOT_VERTEX = /* glsl */ `
 #include <clipping_planes_pars_vertex>
 uniform float size;
+uniform float dots;
 uniform float lift;
 void main() {
   vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * mvPosition;
   gl_Position.z -= lift * gl_Position.w;
-  gl_PointSize = size;
+  gl_PointSize = size * dots;
   #include <clipping_planes_vertex>
 }`;
 

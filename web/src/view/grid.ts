@@ -64,6 +64,7 @@ export class Grid {
     transparent: true,
     depthWrite: false,
     side: DoubleSide,
+      forceSinglePass: true,
   });
 
   constructor() {

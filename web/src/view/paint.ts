@@ -2,11 +2,10 @@
 
 import { Color, DoubleSide, Plane, ShaderMaterial, Vector2, Vector3 } from "three";
 
-import { DOT_FRAGMENT, DOT_VERTEX, LINE_FRAGMENT, LINE_VERTEX, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./glsl";
+import { DOT_FRAGMENT, DOT_VERTEX, LINE_FRAGMENT, LINE_VERTEX, MODES, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./glsl";
 
 /** Uniforms that every material reads; changing a value here changes the whole picture. */
 export const shared = {
-  mode: { value: 0 },
   isParallel: { value: 0 },
   /** Whether stripes are seen along parallel rays, however the picture is projected. */
   isFromAfar: { value: 0 },
@@ -19,6 +18,8 @@ export const shared = {
   faded: { value: new Color() },
   accent: { value: new Color() },
   screen: { value: new Vector2(1, 1) },
+  /** How large dots are, in proportion to what they should be: a coarse frame has fewer pixels. */
+  dots: { value: 1 },
 };
 
 /** The section plane; the list is empty while nothing is cut. */
@@ -31,6 +32,20 @@ export function setCut(isCut: boolean): void {
   for (const material of clipped) material.clippingPlanes = cut.planes;
 }
 
+/** How all surfaces are shaded. */
+let mode: number = MODES.plain;
+const shaded = new Set<ShaderMaterial>();
+
+/** Shades all surfaces in this way; a program for it is made when it is first drawn. */
+export function setMode(wanted: number): void {
+  if (wanted === mode) return;
+  mode = wanted;
+  for (const material of shaded) {
+    material.defines.MODE = mode;
+    material.needsUpdate = true;
+  }
+}
+
 export interface SurfaceLook {
   color: Color;
   opacity: number;
@@ -41,12 +56,11 @@ export interface SurfaceLook {
 
 export function surfaceMaterial(look: SurfaceLook): ShaderMaterial {
   const material = new ShaderMaterial({
+    defines: { MODE: mode, IS_FLAT: look.isFlat ? 1 : 0, HAS_TINT: look.hasTint ? 1 : 0 },
     uniforms: {
       ...shared,
       color: { value: look.color },
       opacity: { value: look.opacity },
-      hasTint: { value: look.hasTint ? 1 : 0 },
-      isFlat: { value: look.isFlat ? 1 : 0 },
       hasCurvature: { value: look.hasCurvature ? 1 : 0 },
       hasDeviation: { value: 0 },
       isSelected: { value: 0 },
@@ -59,6 +73,8 @@ export function surfaceMaterial(look: SurfaceLook): ShaderMaterial {
     polygonOffsetUnits: 1,
   });
   setOpacity(material, look.opacity);
+  shaded.add(material);
+  material.addEventListener("dispose", () => shaded.delete(material));
   return clip(material);
 }
 
@@ -88,6 +104,7 @@ export function wholeLineMaterial(color: Color, width: number, opacity = 1, lift
     vertexShader: LINE_VERTEX,
     fragmentShader: LINE_FRAGMENT,
     side: DoubleSide,
+    forceSinglePass: true,
     transparent: true,
     depthWrite: false,
   });
@@ -99,6 +116,7 @@ export function dotMaterial(color: Color, size: number, lift = 0.0003): ShaderMa
       uniforms: {
         fade: shared.fade,
         faded: shared.faded,
+        dots: shared.dots,
         color: { value: color },
         size: { value: size },
         opacity: { value: 1 },

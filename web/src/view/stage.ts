@@ -1,6 +1,6 @@
 // The picture: draws the newest scene on demand, never oftener than something changes.
 
-import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3, WebGLRenderer } from "three";
+import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3 } from "three";
 
 import type { Item, Stripes, Vector } from "../door/door";
 import { type Document, type Hit, now } from "../model/document";
@@ -14,7 +14,8 @@ import { curvatureRange, deviationRange, isMap, type MapShade } from "./curvatur
 import { DrawnItem, ghostOf, Overlays } from "./drawn";
 import { MODES } from "./glsl";
 import { Grid } from "./grid";
-import { cut, setCut, shared } from "./paint";
+import { cut, setCut, setMode, shared } from "./paint";
+import { Painter } from "./painter";
 import { pick } from "./pick";
 import { NAMED_VIEWS, type NamedView, type Pose, Rig } from "./rig";
 import { placeCut } from "./section";
@@ -51,16 +52,20 @@ export class Stage {
   /** When the last frame was handed over, and, where somebody wants to know, when it had been drawn. */
   readonly times = { frame: 0, drawn: 0 };
   isTimed = false;
-  private readonly renderer: WebGLRenderer;
+  private readonly painter: Painter;
   private readonly world = new ThreeScene();
   private readonly models = new Group();
   private readonly ghosts = new Group();
   private readonly overlays = new Overlays();
   private readonly shapes = new Map<string, Shape>();
   private drawn = new Map<string, DrawnItem>();
-  private isAsked = false;
+  /** Shown no more; their programs must live until those that come have been drawn with them, or they are made anew. */
+  private readonly leaving: DrawnItem[] = [];
+  /** The frame that is wanted, by its number; 0 for none. */
+  private asked = 0;
   private hasFitted = false;
   private turning = 0;
+  private smoothing = 0;
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
@@ -69,11 +74,7 @@ export class Stage {
     private readonly deviation: DeviationMap,
   ) {
     this.exact = new ExactStripes(doc, settings, () => this.stripes());
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, stencil: true, powerPreference: "high-performance" });
-    this.renderer.localClippingEnabled = true;
-    // Asking whether a program was made waits until it is.
-    this.renderer.debug.checkShaderErrors = false;
-    this.renderer.setClearColor(0, 0);
+    this.painter = new Painter(canvas);
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
     new ResizeObserver(() => this.resize()).observe(canvas);
@@ -86,20 +87,14 @@ export class Stage {
     doc.ghost.follow(() => this.rebuildGhost());
     doc.claim.follow(() => this.ask());
     deviation.follow(() => this.restyle());
-    doc.isBusy.follow(() => this.ask());
     doc.hit.follow(() => this.ask());
     doc.marks.follow(() => this.ask());
     this.range.follow(() => this.ask());
   }
 
-  /** Wants one more frame. */
+  /** Wants one more frame; where frames take long a quick one, and a smooth one when nothing changes any more. */
   ask(): void {
-    if (this.isAsked) return;
-    this.isAsked = true;
-    requestAnimationFrame(() => {
-      this.isAsked = false;
-      this.frame();
-    });
+    if (this.asked === 0) this.asked = requestAnimationFrame(() => this.frame(this.painter.isSlow));
   }
 
   setPalette(isDark: boolean): void {
@@ -111,6 +106,11 @@ export class Stage {
     shared.faded.value = palette.faded;
     this.rebuildGhost();
     this.restyle();
+  }
+
+  /** Whether the last frame is as smooth as can be. */
+  get isSmooth(): boolean {
+    return this.painter.isSmooth;
   }
 
   get items(): Iterable<DrawnItem> {
@@ -163,7 +163,7 @@ export class Stage {
               elevation: mix(from.elevation, goal.elevation),
               height: from.height * (goal.height / from.height) ** s,
             };
-      this.frame();
+      this.frame(this.painter.isSlow);
       if (share < 1) requestAnimationFrame(step);
     };
     requestAnimationFrame(step);
@@ -199,28 +199,17 @@ export class Stage {
   /** Red, green, blue and opacity of a pixel of the canvas, drawn anew. */
   colorAt(x: number, y: number): number[] {
     this.frame();
-    const ratio = this.renderer.getPixelRatio();
-    return this.read(Math.floor(x * ratio), Math.floor(this.canvas.height - y * ratio));
-  }
-
-  /** A pixel of the frame that was drawn this moment; waits until it is there. */
-  private read(x: number, y: number): number[] {
-    const gl = this.renderer.getContext();
-    const bytes = new Uint8Array(4);
-    gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return [...bytes];
+    const ratio = this.painter.pixelRatio;
+    return this.painter.read(Math.floor(x * ratio), Math.floor(this.canvas.height - y * ratio));
   }
 
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    const ratio = Math.min(devicePixelRatio, 2);
-    this.renderer.setPixelRatio(ratio);
-    this.renderer.setSize(width, height, false);
+    this.painter.resize(width, height);
     shared.screen.value.set(width, height);
     this.rig.resize(width, height);
-    this.isAsked = false;
-    this.frame();
+    this.frame(this.painter.isSlow);
   }
 
   /** Makes the drawn items those of the newest scene; what has its key already stays as it is. */
@@ -242,7 +231,10 @@ export class Stage {
         drawn.set(item.path, made);
       }
     }
-    for (const gone of this.drawn.values()) gone.dispose();
+    for (const gone of this.drawn.values()) {
+      gone.group.removeFromParent();
+      this.leaving.push(gone);
+    }
     this.drawn = drawn;
     shared.fade.value = scene.state.isCurrent ? 0 : 1;
     this.restyle();
@@ -295,7 +287,7 @@ export class Stage {
     this.grid.mesh.visible = settings.grid;
     // The shader shows stripes until the kernel's curves are there.
     const { value: exact } = this.exact;
-    shared.mode.value = MODES[this.exact.isWanted && !exact.isWaiting ? "plain" : settings.shade];
+    setMode(MODES[this.exact.isWanted && !exact.isWaiting ? "plain" : settings.shade]);
     this.stripeLines.show(exact, this.drawn.values());
     shared.stripes.value = settings.stripes;
     shared.draft.value = settings.draftDegrees;
@@ -348,8 +340,12 @@ export class Stage {
     return { kind: isZebra ? "zebra" : "isophotes", light: isZebra ? back : axes[light], axis: stripesAcross ? up : right, stripes };
   }
 
-  private frame(): void {
+  private frame(isQuick = false): void {
+    cancelAnimationFrame(this.asked);
+    this.asked = 0;
     if (!this.doc.scene.value) return;
+    clearTimeout(this.smoothing);
+    if (isQuick) this.smoothing = setTimeout(() => this.smooth(), this.painter.rest) as unknown as number;
     const settings = this.settings.value;
     const box = this.box();
     const ghost = this.doc.ghost.value?.scene.state.bounds;
@@ -365,14 +361,22 @@ export class Stage {
     this.aim(settings);
     if (settings.grid) this.grid.update(this.rig);
     this.exact.renew();
-    this.renderer.render(this.world, this.rig.camera);
+    this.painter.draw(this.world, this.rig.camera, isQuick);
+    for (const gone of this.leaving.splice(0)) gone.dispose();
     this.n_frames++;
     this.times.frame = now();
     if (this.isTimed) {
-      this.read(0, 0);
+      this.painter.read(0, 0);
       this.times.drawn = now();
     }
     for (const call of this.afterFrame) call();
+    this.doc.drawn();
+  }
+
+  /** Draws the frame anew as it should be, unless another one is on its way. */
+  private smooth(): void {
+    if (this.doc.isBusy.value) this.smoothing = setTimeout(() => this.smooth(), this.painter.rest) as unknown as number;
+    else if (this.asked === 0) this.frame();
   }
 
   /** Directions of the analyses, as the camera sees them. */
