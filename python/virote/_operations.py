@@ -2503,9 +2503,10 @@ def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = 
     `[{t, u, v, point}]` in the order of `t`.
 
     Found completely, by halving pairs of parts until they are apart or cross in one arc at most,
-    which is then followed: no loop is too small. Curves are cubic splines within the document's
-    tolerance of both surfaces, parametrized about by their length, and run along the product of
-    the normal of `a` and that of `b`. They end at boundaries, and where several cross, as surfaces
+    which is then followed: no loop is too small. Curves are exact lines and conics
+    where a plane or another sphere cuts a plane, sphere, cylinder or cone, and cubic splines within
+    the document's tolerance of both surfaces elsewhere, parametrized about by their length; they
+    run along the product of the normal of `a` and that of `b`. They end at boundaries, and where several cross, as surfaces
     do where they touch. Neighbours meet in the edge that they share, which is among the curves as it
     is. A line along which they only touch is among the curves, and a warning
     tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
