@@ -5,7 +5,10 @@
 
 use std::{collections::HashMap, sync::Arc};
 
-use super::{FromValue, Op, OpParameter, Type, Value, element::element_span, misplaced};
+use super::{
+    FromValue, Mismatch, Op, OpParameter, Type, Value, affine::varies, element::element_span,
+    misplaced, variation::looked_at,
+};
 use crate::{
     diag::{Code, Diagnostic, Fix, Sources, Span, Spanned, nearest},
     limits::Ceiling,
@@ -322,16 +325,33 @@ impl<'s> Binder<'s> {
         match T::from_value(&given.value, given.span) {
             Ok(value) => Some(value),
             Err(mismatch) => {
-                let text = mismatch.sentence(&format!("`{name}`"), T::TYPE);
-                let place = element_span(self.sources, given.span, &mismatch.path);
-                let hint =
-                    mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
-                let hint = hint.or_else(|| T::TYPE.remedy(&given.value));
-                self.mistakes.add(mismatch.code, place, text, hint);
-                self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
+                let is_taken = |value: &Value| T::from_value(value, given.span).is_ok();
+                self.refuse(name, &given, (mismatch, T::TYPE), &is_taken);
                 None
             }
         }
+    }
+
+    /// Records that an argument cannot be read as a type; of one that could be without its derivatives, that there are
+    /// none.
+    #[cold]
+    fn refuse(
+        &mut self,
+        name: &str,
+        given: &Spanned<Value>,
+        (mismatch, wanted): (Mismatch, Type),
+        is_taken: &dyn Fn(&Value) -> bool,
+    ) {
+        let mismatch = match varies(&given.value) && is_taken(&looked_at(&given.value)) {
+            true => Mismatch::no_derivative(),
+            false => mismatch,
+        };
+        let text = mismatch.sentence(&format!("`{name}`"), wanted);
+        let place = element_span(self.sources, given.span, &mismatch.path);
+        let hint = mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
+        let hint = hint.or_else(|| wanted.remedy(&given.value));
+        self.mistakes.add(mismatch.code, place, text, hint);
+        self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
     }
 
     /// Whether nothing was wrong so far.

@@ -31,10 +31,16 @@ impl Mismatch {
     #[must_use]
     pub fn kind(wanted: Type, value: &Value) -> Self {
         if value.is_jet() && wanted.accepts(&value.looked_at()) {
-            let reason = "no derivative passes through here, and derivatives are wanted";
-            return Self::because(reason, Code::NoDerivative).hint(CARRIES_DERIVATIVES);
+            return Self::no_derivative();
         }
         Self::new(wanted.phrase(), value.phrase())
+    }
+
+    /// A value that carries derivatives stands where nothing carries them on.
+    #[must_use]
+    pub fn no_derivative() -> Self {
+        let reason = "no derivative passes through here, and derivatives are wanted";
+        Self::because(reason, Code::NoDerivative).hint(CARRIES_DERIVATIVES)
     }
 
     /// Any other disappointment.

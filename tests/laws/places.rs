@@ -2,7 +2,9 @@
 
 use glam::{DAffine3, DMat3, DVec3};
 use proptest::{prelude::*, proptest};
-use virote_kernel::{CircleForm, Frame, Interval, NurbsCurve, Tolerance};
+use virote_kernel::{
+    CircleForm, Frame, GeomError, IntersectionError, Interval, NurbsCurve, Tolerance,
+};
 
 use crate::some::{curve, fraction, parameter, point};
 
@@ -361,4 +363,41 @@ fn a_crossing_at_the_seam_counts_once() {
     let meetings = eight.self_intersections(1e-6).unwrap();
     assert_eq!(meetings.len(), 1, "{meetings:?}");
     are(&[meetings[0].first, meetings[0].second], &[0.0, 3.0]);
+}
+
+/// A curve that ends on a line at a small angle meets it in its end; one that only drifts beside another, within the
+/// tolerance up to an end of it, runs together with it.
+#[test]
+fn what_ends_on_a_curve_at_a_small_angle_does_not_run_along_it() {
+    let line = bezier(&[(0.0, 0.0), (10.0, 0.0)]);
+    for slope in [1.0, 0.1, 0.05, 0.01, 1e-3] {
+        for bent in [0.0, 0.3] {
+            let start = (0.4, -3.0 * slope);
+            let middle = (0.5 * (start.0 + 3.3), 0.5 * start.1 * (1.0 + bent));
+            let curve = bezier(&[start, middle, (3.3, 0.0)]);
+            for [a, b] in [[&line, &curve], [&curve, &line]] {
+                let found = a.intersections(b, 1e-6).unwrap();
+                assert!(found.len() == 1, "slope {slope}: {found:?}");
+                let off = found[0].point.distance(DVec3::X * 3.3);
+                assert!(off <= 1e-12, "slope {slope}: {off} off");
+            }
+        }
+    }
+    let beside = [
+        [bezier(&[(0.0, 5e-7), (5.0, -4e-7)]), line.clone()],
+        [bezier(&[(0.0, 1e-7), (1.25, 0.0), (2.5, 0.0)]), line],
+        [
+            bezier(&[(0.0, 0.0), (5.0, 4.0), (10.0, 0.0)]),
+            bezier(&[(0.0, 3e-7), (0.5, 0.400_000_1), (1.0, 0.720_000_4)]),
+        ],
+    ];
+    for [a, b] in beside {
+        for found in [a.intersections(&b, 1e-6), b.intersections(&a, 1e-6)] {
+            let is_told = matches!(
+                found,
+                Err(GeomError::Intersection(IntersectionError::RunTogether { .. }))
+            );
+            assert!(is_told, "{found:?}");
+        }
+    }
 }

@@ -219,6 +219,12 @@ impl Jet {
         if size == 0.0 {
             return no_derivative("the length of a vector", size);
         }
+        // Along an axis it is a magnitude, whose derivatives rounding does not touch, however near zero it is.
+        let mut others =
+            coordinates.clone().filter(|jet| !jet.coefficients().iter().all(|&c| c == 0.0));
+        if let (Some(only), None) = (others.next(), others.next()) {
+            return only.abs();
+        }
         let squares = coordinates.map(|jet| jet.scaled(1.0 / size)).map(|jet| jet.times(&jet));
         let Some(sum) = squares.reduce(|sum, square| sum.plus(&square)) else {
             unreachable!("without coordinates the size is zero")

@@ -5,10 +5,10 @@ use std::cmp::Ordering;
 use super::super::math::empty;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    value::{Callback, Ctx, List, Value},
+    value::{Callback, Ctx, Dimension, List, Value},
 };
 
-/// What decides the order of the elements of a list; neighbours have one.
+/// What decides the order of the elements of a list; any two have one.
 pub(super) fn sort_keys(
     ctx: &mut Ctx<'_>,
     list: &Spanned<List>,
@@ -22,15 +22,31 @@ pub(super) fn sort_keys(
         }
         None => items.to_vec(),
     };
-    for pair in keys.windows(2) {
-        if ordering(&pair[0], &pair[1]).is_none() {
-            let message = format!("{} and {} have no order", pair[0].phrase(), pair[1].phrase());
+    // A number without a unit goes with any other, so that neighbours alone do not tell.
+    let mut known: Option<&Value> = None;
+    for key in &keys {
+        let before = known.get_or_insert(key);
+        if ordering(before, key).is_none() {
+            let message = format!("{} and {} have no order", before.phrase(), key.phrase());
             return Diagnostic::error(Code::WrongKind, list.span, message)
                 .hint("numbers of one dimension can be sorted, and strings; else give `by = x => ...`")
                 .fail();
         }
+        if !has_dimension(before) {
+            *before = key;
+        }
     }
     Ok(keys)
+}
+
+/// Whether it is a number of a known dimension.
+fn has_dimension(key: &Value) -> bool {
+    match key.looked_at() {
+        Value::Number(number) => {
+            number.dim != Dimension::NONE && number.dim.length_power().is_some()
+        }
+        _ => false,
+    }
 }
 
 /// The index of the first element that comes before, or behind, all others.

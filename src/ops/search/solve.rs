@@ -62,12 +62,20 @@ op! {
     refuses "solve(x => x^2 + 1, within = -1..2)" => "E0504: the function is 0 nowhere within -1..2";
     refuses "solve(x => 1/(x - 0.3), within = 0..1)" => "E0504: the function changes its sign at 0.3 without being 0 there";
     refuses "solve(x => max(x, 1) - 1, within = 0..2)" => "E0504: the function is 0 all along 0..0.02, not at one place";
+    refuses "solve(x => x^2 - 1, start = 2, all = true)" => "E0401: `solve` finds one root from a start; all of them are found within a range";
     refuses "solve(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     match (args.within, args.start) {
         (Some(within), None) => within_range(ctx, &args.f, within, args.all, args.report),
+        (None, Some(_)) if args.all => {
+            let message =
+                "`solve` finds one root from a start; all of them are found within a range";
+            Diagnostic::error(Code::BadCall, ctx.span, message)
+                .hint("`within = 0..10, all = true` for the roots of one number")
+                .fail()
+        }
         (None, Some(start)) => {
             let (root, found) = solved(ctx, &args.f, &start)?;
             let residual =

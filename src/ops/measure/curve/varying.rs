@@ -73,14 +73,16 @@ pub(super) fn curvature(d: &[Vector], value: f64) -> Measured<Real> {
         0.0 => {
             Err(GeomError::Local(LocalError::NotDifferentiable { what: "the curvature", at: 0.0 }))
         }
-        _ => bending.norm(),
+        _ => {
+            let speed = d[1].norm()?;
+            d[1].cross(&d[2]).norm()?.over(&speed.times(&speed).times(&speed))
+        }
     }
 }
 
-/// N, the bending at length 1.
+/// N = B × T; beside an inflection of a curve in a plane z = 0 exact, where the bending at length 1 is rounding.
 pub(super) fn normal(d: &[Vector]) -> Measured<Vector> {
-    let bending = bending(d)?;
-    bending.over(&bending.norm()?)
+    Ok(binormal(d)?.cross(&tangent(d)?))
 }
 
 /// C' × C'' at length 1.

@@ -74,20 +74,25 @@ impl IntersectionSearch<'_> {
         }
         let floor = self.extent(self.first, valley.floor);
         let is_narrow = floor <= FLOOR_SHARE * extent;
-        let rises = valley.rises_to(APART_SHARE * self.tolerance, self.leaves_over_ends(stretch));
+        let over_end = if is_short { self.leaves_over_end(stretch, valley) } else { [false; 2] };
+        let rises = valley.rises_to(APART_SHARE * self.tolerance, over_end);
         let is_single = valley.is_single && rises && (is_narrow || self.ends_within(stretch));
         is_single || is_short && is_narrow && (rises || !valley.is_single)
     }
 
-    /// At which ends of a stretch the first curve goes beyond an end of the second one.
-    fn leaves_over_ends(&self, stretch: ContactInterval) -> [bool; 2] {
+    /// At which ends of a stretch the first curve goes beyond the end of the second one at which they are nearest: a
+    /// curve that ends on another does so at once.
+    fn leaves_over_end(&self, stretch: ContactInterval, valley: &Valley) -> [bool; 2] {
         let domain = self.second.domain();
         let dust = KNOT_RELATIVE * domain.length();
-        let is_open = !self.second.is_closed(self.tolerance);
-        [stretch.first.start(), stretch.first.end()].map(|t| {
+        let end_at = |t: f64| {
             let foot = foot(self.second, stretch.second, place(self.first, t));
-            is_open && (foot <= domain.start() + dust || domain.end() - dust <= foot)
-        })
+            let ends = [foot <= domain.start() + dust, domain.end() - dust <= foot];
+            ends.contains(&true).then_some(ends)
+        };
+        let nearest = end_at(valley.bottom).filter(|_| !self.second.is_closed(self.tolerance));
+        let ends = [stretch.first.start(), stretch.first.end()];
+        ends.map(|t| nearest.is_some() && end_at(t) == nearest)
     }
 
     /// Whether a stretch of one piece of each curve ends where both pieces go on.
