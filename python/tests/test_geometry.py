@@ -34,6 +34,10 @@ def test_derivatives_are_exact() -> None:
     assert (found[:, 3] == 0).all()
     with pytest.raises(ValueError, match="order"):
         c.derivatives(0.5, order=-1)
+    with pytest.raises(ValueError, match="order"):
+        c.derivatives(0.5, order=10**9)
+    with pytest.raises(MemoryError, match="GiB"):
+        c.derivatives(np.zeros(10**7), order=64)
 
 
 def test_a_curve_tells_what_it_is_made_of() -> None:

@@ -18,6 +18,12 @@ __all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Solid", "Sur
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
 Quantity = Union[float, str]
 
+#: The highest order of derivatives that is told; beyond that of a curve's degree few are of use.
+_HIGHEST_ORDER = 64
+
+#: Bytes of derivatives that are told at a time.
+_MOST_BYTES = 1 << 32
+
 
 class Value:
     """A value of the language that stays in the library."""
@@ -70,6 +76,14 @@ def _parameters(*given: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
     return flat, shape
 
 
+def _check_order(order: int, count: int, dimensions: int) -> None:
+    """Refuses what would take all memory: the library gives back whole arrays."""
+    if not 0 <= order <= _HIGHEST_ORDER:
+        raise ValueError(f"an order is 0 to {_HIGHEST_ORDER}, found {order}")
+    if _MOST_BYTES < 24 * count * (order + 1) ** dimensions:
+        raise MemoryError(f"derivatives up to order {order} at {count} parameters take more than {_MOST_BYTES >> 30} GiB")
+
+
 class Curve(Value):
     """A curve: a NURBS, or a function with exact derivatives.
 
@@ -97,9 +111,8 @@ class Curve(Value):
 
         At a knot those of the piece behind it. Exact, not differences.
         """
-        if order < 0:
-            raise ValueError(f"an order is 0 or more, found {order}")
         (flat,), shape = _parameters(t)
+        _check_order(order, len(flat), 1)
         return self._held.curve_derivatives(flat, order).reshape((*shape, order + 1, 3))
 
     @property
@@ -159,9 +172,8 @@ class Surface(Value):
 
         Where i + j is more than ``order`` it is NaN.
         """
-        if order < 0:
-            raise ValueError(f"an order is 0 or more, found {order}")
         (us, vs), shape = _parameters(u, v)
+        _check_order(order, len(us), 2)
         found = self._held.surface_derivatives(us, vs, order)
         return found.reshape((*shape, order + 1, order + 1, 3))
 

@@ -4,9 +4,10 @@ use super::inside;
 use crate::{
     diag::Code,
     kernel::{
-        CountError, DegreeError, DomainError, FaceError, FaceFault, FitError, FormError, GeomError,
-        InputError, IntersectionError, JointError, KnotError, LocalError, MeasureError, MeshError,
-        RegionError, SolidError, WeightError,
+        ConstructionError, CountError, DegreeError, DomainError, FaceError, FaceFault, FitError,
+        FormError, GeomError, InputError, IntersectionError, JointError, JumpError, KnotError,
+        LocalError, MeasureError, MeshError, PictureError, RegionError, ShellError, SolidError,
+        WeightError,
     },
 };
 
@@ -25,19 +26,19 @@ pub fn code_of(error: &GeomError) -> Code {
         GeomError::Form(error) => of_form(error),
         GeomError::Joint(error) => of_joint(error),
         GeomError::Measure(error) => of_measure(error),
+        GeomError::Construction(error) => of_construction(error),
+        GeomError::Picture(error) => of_picture(error),
+        GeomError::Jump(error) => of_jump(error),
         GeomError::Intersection(
             IntersectionError::RunTogether { .. }
             | IntersectionError::RunsAlongItself { .. }
             | IntersectionError::Tangled,
         )
-        | GeomError::Construction(_)
-        | GeomError::Picture(_)
-        | GeomError::Jump(_)
         | GeomError::Ended => Code::Degenerate,
         GeomError::Region(error) => of_region(error),
         GeomError::Face(error) => of_face(error),
         GeomError::Solid(error) => of_solid(error),
-        GeomError::Shell(_) => Code::OpenShell,
+        GeomError::Shell(error) => of_shell(error),
         GeomError::Mesh(fault) => of_mesh(fault),
         GeomError::Function(_) => inside(error).map_or(Code::Domain, |reason| reason.code),
     }
@@ -88,6 +89,65 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::UnclearSide { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
+    }
+}
+
+const fn of_construction(error: &ConstructionError) -> Code {
+    match error {
+        ConstructionError::Crease { .. }
+        | ConstructionError::EndOfContinuation { .. }
+        | ConstructionError::ContinuationLost { .. }
+        | ConstructionError::AlongNormal { .. }
+        | ConstructionError::NoOffset { .. }
+        | ConstructionError::OffsetTooFar { .. }
+        | ConstructionError::VanishingOffset { .. }
+        | ConstructionError::VanishingSection
+        | ConstructionError::PointSection
+        | ConstructionError::PointPath
+        | ConstructionError::PathCusp { .. }
+        | ConstructionError::PathCorners { .. }
+        | ConstructionError::ClosedBetweenRails
+        | ConstructionError::PointBetween { .. }
+        | ConstructionError::OnlyPoints
+        | ConstructionError::MixedSections { .. }
+        | ConstructionError::NoTurn
+        | ConstructionError::OnAxis => Code::Degenerate,
+    }
+}
+
+const fn of_picture(error: &PictureError) -> Code {
+    match error {
+        PictureError::Unresolved { .. }
+        | PictureError::SurfacesRunTogether { .. }
+        | PictureError::TooTangled { .. }
+        | PictureError::OffSurface { .. }
+        | PictureError::ToldTwice { .. }
+        | PictureError::EndsInside { .. }
+        | PictureError::RunsAlong { .. }
+        | PictureError::Open { .. }
+        | PictureError::OffPlane { .. }
+        | PictureError::NoArea { .. }
+        | PictureError::Crossing { .. }
+        | PictureError::Outside { .. }
+        | PictureError::HoleInHole { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_jump(error: &JumpError) -> Code {
+    match error {
+        JumpError::Curve { .. }
+        | JumpError::Surface { .. }
+        | JumpError::Function { .. }
+        | JumpError::FunctionAt { .. } => Code::Degenerate,
+    }
+}
+
+const fn of_shell(error: &ShellError) -> Code {
+    match error {
+        ShellError::Open { .. }
+        | ShellError::Alone { .. }
+        | ShellError::Crowded { .. }
+        | ShellError::OneSided { .. } => Code::OpenShell,
     }
 }
 

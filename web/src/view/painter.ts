@@ -43,6 +43,8 @@ export class Painter {
   private ratio = 1;
   private share: number;
   private isMeasuring = false;
+  /** How often the browser has taken what was made for drawing. */
+  private n_losses = 0;
   /** Milliseconds that the last smooth frame took. */
   private smoothTime = LONG;
 
@@ -56,6 +58,12 @@ export class Painter {
     // The shaders write what is shown; so a program fits the canvas and buffers.
     renderer.outputColorSpace = LinearSRGBColorSpace;
     renderer.setClearColor(0, 0);
+    canvas.addEventListener("webglcontextlost", () => {
+      // Buffers and fences are gone with it.
+      this.smoothBuffer = null;
+      this.isMeasuring = false;
+      this.n_losses++;
+    });
     const names = this.gl.getExtension("WEBGL_debug_renderer_info");
     this.isSlow = SOFTWARE.test(String(this.gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER)));
     this.share = this.isSlow ? COARSE : 1;
@@ -90,6 +98,7 @@ export class Painter {
 
   /** Draws a frame, a quick one where it need not be smooth. */
   draw(scene: Scene, camera: Camera, isQuick: boolean): void {
+    if (this.gl.isContextLost()) return;
     const start = performance.now();
     const n_programs = this.renderer.info.programs?.length;
     const share = isQuick ? this.share : 1;
@@ -163,8 +172,10 @@ export class Painter {
     if (!drawn) return;
     this.isMeasuring = true;
     gl.flush();
+    const { n_losses } = this;
     const look = (): void => {
-      if (gl.getSyncParameter(drawn, gl.SYNC_STATUS) !== gl.SIGNALED && !gl.isContextLost()) return void setTimeout(look, LOOK);
+      if (n_losses !== this.n_losses) return;
+      if (gl.getSyncParameter(drawn, gl.SYNC_STATUS) !== gl.SIGNALED) return void setTimeout(look, LOOK);
       gl.deleteSync(drawn);
       this.isMeasuring = false;
       this.learn(performance.now() - start, isQuick);

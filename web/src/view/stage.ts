@@ -78,6 +78,7 @@ export class Stage {
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
     new ResizeObserver(() => this.resize()).observe(canvas);
+    canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.resize();
     settings.watch(() => this.restyle());
     doc.scene.follow(() => this.reconcile());
@@ -233,7 +234,9 @@ export class Stage {
     }
     for (const gone of this.drawn.values()) {
       gone.group.removeFromParent();
-      this.leaving.push(gone);
+      // Where nobody looks no frame comes.
+      if (document.hidden) gone.dispose();
+      else this.leaving.push(gone);
     }
     this.drawn = drawn;
     shared.fade.value = scene.state.isCurrent ? 0 : 1;
