@@ -151,6 +151,12 @@ def test_ceilings_are_kept() -> None:
         session.run_text("let a = sum([for i in 0..<100000: i])")
     with pytest.raises(ValueError, match="no ceiling is called `stpes`"):
         virote.Session(limits={"stpes": 1})
+    with pytest.raises(ValueError, match="whole number of 0 or more"):
+        virote.Session(limits={"steps": -1})
+    with pytest.raises(TypeError, match="threads are a whole number"):
+        virote.Session(threads="two")  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="by name"):
+        session.run_text("param n = 2", [1])  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="one thread or more"):
         virote.Session(threads=0)
 

@@ -55,8 +55,13 @@ class Session:
     """
 
     def __init__(self, threads: int = 1, limits: Mapping[str, int] | None = None) -> None:
+        if not hasattr(threads, "__index__"):
+            raise TypeError(f"threads are a whole number, found {threads!r}")
         if threads < 1:
             raise ValueError(f"a session has one thread or more, found {threads}")
+        for name, most in (limits or {}).items():
+            if not hasattr(most, "__index__") or most < 0:
+                raise ValueError(f"the limit {name!r} is a whole number of 0 or more, found {most!r}")
         self._inner = _virote.Session(list((limits or {}).items()), threads)
 
     def run(
@@ -84,6 +89,8 @@ class Session:
     def _run(
         self, name: str, text: bytes, folder: Path, params: Mapping[str, ParameterValue] | None
     ) -> Results:
+        if params is not None and not isinstance(params, Mapping):
+            raise TypeError(f"parameters are given by name, as {{'span': '12m'}}; found {type(params).__name__}")
         given = {key: setting(key, value) for key, value in (params or {}).items()}
         inner = self._inner.run(name, text, os.fspath(folder), list(given.items()))
         results = Results(inner, name, given)

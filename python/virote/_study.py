@@ -221,7 +221,8 @@ def _variants(path: Path, text: bytes, plan: Plan) -> tuple[list[_Variant], str]
         try:
             return _virote.study_plan(path.name, text, folder, os.fspath(file), [])
         except ValueError as err:
-            told = str(err).replace(f"{file}:", "the plan, line ").replace(f"`{file}`", "the plan")
+            told = str(err).replace(f"{file}:", "the plan, line ").replace(f"the plan `{file}`", "the plan")
+            told = told.replace(f"`{file}`", "the plan")
             raise ValueError(told) from None
 
 
