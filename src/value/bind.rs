@@ -322,35 +322,29 @@ impl<'s> Binder<'s> {
             self.mistakes.0.push(Mistake { code, span, text, hint: None, fix: None, ceiling });
             return None;
         }
-        match T::from_value(&given.value, given.span) {
-            Ok(value) => Some(value),
-            Err(mismatch) => {
-                let is_taken = |value: &Value| T::from_value(value, given.span).is_ok();
-                self.refuse(name, &given, (mismatch, T::TYPE), &is_taken);
-                None
-            }
-        }
+        let read = |value: &Value| T::from_value(value, given.span);
+        let found = read(&given.value);
+        found
+            .map_err(|why| self.refuse(name, &given, (why, T::TYPE), &|value| read(value).is_ok()))
+            .ok()
     }
 
-    /// Records that an argument cannot be read as a type; of one that could be without its derivatives, that there are
-    /// none.
+    /// Records why an argument cannot be read; where it could be without its derivatives, that none pass through.
     #[cold]
     fn refuse(
         &mut self,
         name: &str,
         given: &Spanned<Value>,
-        (mismatch, wanted): (Mismatch, Type),
+        (mut mismatch, wanted): (Mismatch, Type),
         is_taken: &dyn Fn(&Value) -> bool,
     ) {
-        let mismatch = match varies(&given.value) && is_taken(&looked_at(&given.value)) {
-            true => Mismatch::no_derivative(),
-            false => mismatch,
-        };
+        if varies(&given.value) && is_taken(&looked_at(&given.value)) {
+            mismatch = Mismatch::no_derivative();
+        }
         let text = mismatch.sentence(&format!("`{name}`"), wanted);
         let place = element_span(self.sources, given.span, &mismatch.path);
-        let hint = mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
-        let hint = hint.or_else(|| wanted.remedy(&given.value));
-        self.mistakes.add(mismatch.code, place, text, hint);
+        let own = mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
+        self.mistakes.add(mismatch.code, place, text, own.or_else(|| wanted.remedy(&given.value)));
         self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
     }
 

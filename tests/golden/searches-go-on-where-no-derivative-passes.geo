@@ -3,4 +3,4 @@ let plate = region(circle((0, 0), 3))
 let left = u => area(difference(plate, [region(circle((0, 0), u.r))])[0]) - 20mm^2
 let found = solve(left, start = {r: 1})
 check found.r ~= sqrt(9 - 20 / pi) within 1e-7
-print gradient(r => area(difference(plate, [region(circle((0, 0), r))])[0]), 1)
+print found.r ~= 1.6228993 within 1e-6

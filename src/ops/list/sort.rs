@@ -19,7 +19,7 @@ op! {
     example "sort([3, 1, 2])" => "[1, 2, 3]";
     example "sort([(1, 5), (2, 3)], by = p => p.y)" => "[(2, 3, 0), (1, 5, 0)]";
     refuses "sort([1, \"a\"])" => "E0301: the number 1 and the string \"a\" have no order";
-    refuses "sort([3mm, 1, 2deg])" => "E0301: the number 3mm and the number 2deg have no order";
+    refuses "sort([3mm, 1, 2deg])" => "E0301: a length (3) and an angle (2deg) have no order";
     refuses "sort([(1, 5), (2, 3)])" => "E0301: a point and a point have no order";
 }
 

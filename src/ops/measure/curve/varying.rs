@@ -68,16 +68,18 @@ pub(super) fn bending(d: &[Vector]) -> Measured<Vector> {
 pub(super) fn curvature(d: &[Vector], value: f64) -> Measured<Real> {
     let bending = bending(d)?;
     let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
-    match value {
-        0.0 if bending.magnitude() <= rounding => Ok(Real::Plain(0.0)),
-        0.0 => {
-            Err(GeomError::Local(LocalError::NotDifferentiable { what: "the curvature", at: 0.0 }))
-        }
-        _ => {
-            let speed = d[1].norm()?;
-            d[1].cross(&d[2]).norm()?.over(&speed.times(&speed).times(&speed))
-        }
+    if value == 0.0 && bending.magnitude() <= rounding {
+        return Ok(Real::Plain(0.0));
     }
+    let (axis, speed) = (d[1].cross(&d[2]), d[1].norm()?);
+    // Beside an inflection the value is nothing but rounding, while its derivatives are well known.
+    if axis.value() == DVec3::ZERO {
+        return Err(GeomError::Local(LocalError::NotDifferentiable {
+            what: "the curvature",
+            at: 0.0,
+        }));
+    }
+    axis.norm()?.over(&speed.times(&speed).times(&speed))
 }
 
 /// N = B × T; beside an inflection of a curve in a plane z = 0 exact, where the bending at length 1 is rounding.
