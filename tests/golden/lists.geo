@@ -13,3 +13,4 @@ check any(xs, f = x => x == 2) and not any(xs, f = x => x > 3)
 check every(xs, f = x => x > 0) and every([true, true]) and not any([false])
 print scan(xs, 0, (a, x) => a + x), random(2), random(2, seed = 1)
 check random(3) == random(3) "the same on every machine"
+check sort([(1, 5)]) == [(1, 5)] and argmin([(1, 5)]) == 0 "one element needs no order"

@@ -23,9 +23,9 @@ pub(super) fn sort_keys(
         None => items.to_vec(),
     };
     // A number without a unit goes with any other, so that neighbours alone do not tell.
-    let mut known: Option<&Value> = None;
-    for key in &keys {
-        let before = known.get_or_insert(key);
+    let mut known = keys.first();
+    for key in keys.iter().skip(1) {
+        let Some(before) = known else { break };
         if ordering(before, key).is_none() {
             let message = format!("{} and {} have no order", before.phrase(), key.phrase());
             return Diagnostic::error(Code::WrongKind, list.span, message)
@@ -33,7 +33,7 @@ pub(super) fn sort_keys(
                 .fail();
         }
         if !has_dimension(before) {
-            *before = key;
+            known = Some(key);
         }
     }
     Ok(keys)
