@@ -205,7 +205,7 @@ pub use numeric::{
     least_problem::{LeastEnd, LeastProblem},
     least_squares::{LeastSquares, find_least_squares},
     linear::solve_linear,
-    root::{find_root, find_roots},
+    root::{find_crossing, find_root, find_roots},
     root_error::RootError,
     root_proof::RootProof,
     sample::Sample,

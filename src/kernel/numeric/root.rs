@@ -40,7 +40,41 @@ const POLISHING: usize = 4;
 /// Those of the function; no root; a jump over zero; a stretch along which it is zero.
 pub fn find_root<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
+    interval: [f64; 2],
+) -> Result<Sample, RootError<E>> {
+    sought(function, interval, Touch::IsRoot)
+}
+
+/// The same, of a function of which others tell where it only touches zero: that is no root here, however near it
+/// comes.
+///
+/// ```
+/// use virote_kernel::{find_crossing, RootError};
+///
+/// let touch = find_crossing(|x| Ok::<_, ()>((x - 0.7) * (x - 0.7)), [0.0, 2.0]);
+/// assert!(matches!(touch, Err(RootError::NoRoot { nearest, .. }) if (nearest.at - 0.7).abs() < 1e-6));
+/// ```
+///
+/// # Errors
+/// Those of [`find_root`].
+pub fn find_crossing<E>(
+    function: impl FnMut(f64) -> Result<f64, E>,
+    interval: [f64; 2],
+) -> Result<Sample, RootError<E>> {
+    sought(function, interval, Touch::IsNone)
+}
+
+/// Whether a place where a function comes as near to zero as rounding tells, and does not cross it, is a root.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Touch {
+    IsRoot,
+    IsNone,
+}
+
+fn sought<E>(
+    function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
+    touches: Touch,
 ) -> Result<Sample, RootError<E>> {
     let mut asked = AskedFunction::new(function, [start, end]);
     let ends = [asked.at(start)?, asked.at(end)?];
@@ -57,7 +91,7 @@ pub fn find_root<E>(
         }
         samples = halved(&mut asked, &samples)?;
     }
-    touch(&mut asked, &samples)?.map_err(|nearest| RootError::NoRoot { nearest, ends })
+    touch(&mut asked, &samples, touches)?.map_err(|nearest| RootError::NoRoot { nearest, ends })
 }
 
 /// Every root of a function in an interval that samples at equal distances tell apart, in order: roots
@@ -89,7 +123,7 @@ pub fn find_roots<E>(
             roots.push(between(&mut asked, [pair[0], pair[1]], end - start)?);
         } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
             && is_valley(before, middle, after)
-            && let Ok(root) = touch_between(&mut asked, [before, middle, after])?
+            && let Ok(root) = touch_between(&mut asked, [before, middle, after], Touch::IsRoot)?
         {
             roots.push(root);
         }
@@ -197,12 +231,13 @@ fn next_share([a, b, c]: [Sample; 3]) -> f64 {
 fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
     asked: &mut AskedFunction<F>,
     samples: &[Sample],
+    touches: Touch,
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let nearer = |a: &&Sample, b: &&Sample| a.value.abs().total_cmp(&b.value.abs());
     let Some(&nearest) = samples.iter().min_by(nearer) else { unreachable!("there are ends") };
     let valley = samples.windows(3).find(|trio| trio[1] == nearest);
     match valley {
-        Some(&[before, middle, after]) => touch_between(asked, [before, middle, after]),
+        Some(&[before, middle, after]) => touch_between(asked, [before, middle, after], touches),
         _ => Ok(Err(nearest)),
     }
 }
@@ -210,6 +245,7 @@ fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
 fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
     asked: &mut AskedFunction<F>,
     [before, middle, after]: [Sample; 3],
+    touches: Touch,
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let sign = middle.value.signum();
     let size = asked.size;
@@ -229,7 +265,8 @@ fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
         return between(asked, [before, beyond], after.at - before.at).map(Ok);
     }
     let least = Sample { at: least.at, value: least.value * sign };
-    Ok(if least.value.abs() <= ROOT_TOUCH_RELATIVE * size { Ok(least) } else { Err(least) })
+    let is_root = touches == Touch::IsRoot && least.value.abs() <= ROOT_TOUCH_RELATIVE * size;
+    Ok(if is_root { Ok(least) } else { Err(least) })
 }
 
 #[cfg(test)]

@@ -79,12 +79,20 @@ pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCa
     Ok(PlaneCaps { regions: regions_within(rims, distance, tolerance)?, edges, has_knots })
 }
 
-/// Whether more than two ends of edges are one place.
+/// Whether more than two ends of edges are one place, or an edge passes by an end of others.
 fn has_knots(edges: &[NurbsCurve], distance: f64) -> bool {
     let ends: Vec<DVec3> = edges.iter().flat_map(|edge| [edge.start(), edge.end()]).collect();
     let mut n_ends = vec![0; ends.len()];
     welded(&ends, distance).into_iter().for_each(|first| n_ends[first as usize] += 1);
-    n_ends.into_iter().any(|n| 2 < n)
+    n_ends.into_iter().any(|n| 2 < n) || edges.iter().any(|edge| passes_by(edge, &ends, distance))
+}
+
+/// Whether a place other than its own ends lies on an edge.
+fn passes_by(edge: &NurbsCurve, places: &[DVec3], distance: f64) -> bool {
+    let (bounds, own) = (edge.bounds(), [edge.start(), edge.end()]);
+    let is_apart = |place: &&DVec3| own.iter().all(|end| distance < end.distance(**place));
+    let mut near = places.iter().filter(|place| bounds.distance(**place) <= distance);
+    near.any(|place| is_apart(&place) && edge.closest(*place, distance).distance <= distance)
 }
 
 /// The regions that plane edges close, even-odd in each plane.

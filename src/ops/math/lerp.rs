@@ -1,6 +1,6 @@
 //! `lerp`: linear interpolation.
 
-use super::{Quantity, finite, outside, sum_dim};
+use super::{Quantity, Ratio, finite, outside, sum_dim};
 use crate::{
     diag::Result,
     value::{Ctx, Dimension, IntoValue, Number, OnNumbers, Real, Value, op},
@@ -14,7 +14,7 @@ op! {
         /// The value at 1.
         b: Quantity,
         /// The fraction.
-        t: Real,
+        t: Ratio,
     }
     example "lerp(2, 4, 0.25)" => "2.5";
     example "lerp((0, 0), (2, 4), 0.5)" => "(1, 2, 0)";
@@ -23,12 +23,14 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let Args { a, b, t } = args;
+    let Args { a, b, t: Ratio(Number { value: t, dim: dim_of_t }) } = args;
     let rest = Real::Plain(1.0).minus(&t);
     match (a, b) {
         (Quantity::Number(a), Quantity::Number(b)) => {
             let dim = sum_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
             let value = finite(a.value.times(&rest).plus(&b.value.times(&t)), ctx.span)?;
+            // A bare number changes no power.
+            let dim = dim.times(dim_of_t).unwrap_or(dim);
             Ok(Number { value, dim }.into_value())
         }
         (Quantity::Point(a), Quantity::Point(b)) => {
@@ -39,7 +41,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
 }
 
 fn sum_of_ends([a, b, t]: [Dimension; 3]) -> Option<Dimension> {
-    if t.is_bare() { a.sum(b) } else { None }
+    if t.is_bare() { a.sum(b)?.times(t) } else { None }
 }
 
 fn between([a, b, t]: [f64; 3]) -> f64 {

@@ -173,6 +173,18 @@ impl FromValue for Radians {
     }
 }
 
+/// A number without a unit, or one of which nobody has said what it measures.
+struct Ratio(Number<Real>);
+
+impl FromValue for Ratio {
+    const TYPE: Type = Type::Ratio;
+
+    fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
+        Real::from_value(value, span)?;
+        Number::from_value(value, span).map(Self)
+    }
+}
+
 /// Warns where an angle is written as a whole number without a unit that as radians hardly anybody
 /// writes, and as degrees everybody: 30, 45, 60 and so on, in steps of 15.
 fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {

@@ -86,7 +86,8 @@ impl BestSearch {
         }
         self.check_bounded(ctx, range, (found.at, found.value), (better, &mut dim))?;
         let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
-        Ok(self.answer(range.place(found.at).into_value(), value, (n_asked, "none")))
+        let place = range.found_by(dim).place(found.at).into_value();
+        Ok(self.answer(place, value, (n_asked, "none")))
     }
 
     /// That the best place is no pole: there the function changes the more the nearer it is asked, on each side.
@@ -184,7 +185,8 @@ impl BestSearch {
         let value =
             Number { value: better.sign() * found.values[0], dim: asking.dim.unwrap_or_default() };
         let gradients = if found.has_differences { "differences" } else { "exact" };
-        Ok(self.answer(unknowns.with(&found.unknowns), value, (found.n_evaluations, gradients)))
+        let place = unknowns.found_by(value.dim).with(&found.unknowns);
+        Ok(self.answer(place, value, (found.n_evaluations, gradients)))
     }
 }
 

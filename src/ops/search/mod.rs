@@ -57,6 +57,13 @@ impl SearchRange {
         Number { value: at, dim: self.dim }
     }
 
+    /// The same range, whose places are found by numbers of this dimension: of a bare range by open numbers they
+    /// are open, too, since nobody has said what the found place measures.
+    fn found_by(&self, dim: Option<Dimension>) -> Self {
+        let dim = dim.map_or(self.dim, |found| found_dimension(self.dim, found));
+        Self { ends: self.ends, dim }
+    }
+
     /// A place as messages tell it, with six digits; zero where it is nearer to that than rounding.
     fn place_text(&self, at: f64) -> String {
         let [start, end] = self.ends;
@@ -64,6 +71,13 @@ impl SearchRange {
         let at = if is_zero { 0.0 } else { at };
         six_digits(at, Some(self.dim))
     }
+}
+
+/// What an unknown measures that numbers of the dimension `by` have told: nobody has said it, if it is bare and
+/// they are open.
+fn found_dimension(own: Dimension, by: Dimension) -> Dimension {
+    let is_open = own.is_none() && by.length_power().is_none();
+    if is_open { Dimension::OPEN } else { own }
 }
 
 /// What a function yields at a place of a range; `dim` becomes the dimension of its values.

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
-        GeomError, LocalError, RootError, RootProof, Sample, find_root, find_roots,
+        GeomError, LocalError, RootError, RootProof, Sample, find_crossing, find_root, find_roots,
         tolerance::DIFFERENCE_RELATIVE,
     },
     value::{At, Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, op},
@@ -19,7 +19,8 @@ op! {
     ///
     /// Where the function has different signs at both ends, the root between them is found in some ten steps, as
     /// exactly as numbers tell it. Where it has the same sign, the range is divided until it has not, and at last the
-    /// place where it is nearest to zero is looked at, since it may only touch zero there; of such a place half of the digits are known. A jump over zero, such as
+    /// place where it is nearest to zero is looked at, since it may only touch zero there; of such a place half of the digits are known.
+    /// What a bare unknown measures stays open where the function's values are open, as of coordinates. A jump over zero, such as
     /// a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a
     /// list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
@@ -129,14 +130,20 @@ fn within_range(
     let mut found = match &proof {
         Some(proof) if is_all && proof.open.is_some() => proof.roots(bounds, &mut ask, range.ends),
         _ if is_all => find_roots(&mut ask, range.ends),
+        _ if bounded.is_some() => find_crossing(&mut ask, range.ends).map(|root| vec![root]),
         _ => find_root(&mut ask, range.ends).map(|root| vec![root]),
     };
-    if matches!(found, Err(RootError::NoRoot { .. })) {
-        // It may touch zero where no sample tells.
+    if matches!(found, Err(RootError::NoRoot { .. })) && bounded.is_some() {
+        // Where it touches zero bounds tell better than samples, unless they are left open.
         let proof = proof.get_or_insert_with(|| RootProof::of(bounds, range.ends));
-        let first =
-            proof.roots(bounds, &mut ask, range.ends).ok().and_then(|all| all.first().copied());
-        found = first.map(|root| vec![root]).map_or(found, Ok);
+        let all = proof.roots(bounds, &mut ask, range.ends);
+        found = match all.ok().and_then(|all| all.first().copied()) {
+            Some(root) => Ok(vec![root]),
+            None if proof.open.is_none() => {
+                find_root(&mut ask, range.ends).map(|root| vec![root])
+            }
+            None => found,
+        };
     }
     let roots = match found {
         Ok(roots) => roots,
@@ -152,11 +159,12 @@ fn within_range(
             if is_all { proof.is_whole() } else { proof.brackets.iter().any(is_in) }
         })
     };
+    let found_range = range.found_by(dim);
     let mut places = Vec::with_capacity(roots.len());
     for root in &roots {
         places.push(match ctx.caller.is_varying(&function.value.0) {
-            true => varying(ctx, function, &range, root.at)?,
-            false => range.place(root.at).into_value(),
+            true => varying(ctx, function, &range, (root.at, found_range.dim))?,
+            false => found_range.place(root.at).into_value(),
         });
     }
     let value = |(root, place): (&Sample, Value)| {
@@ -182,7 +190,7 @@ fn varying(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
     range: &SearchRange,
-    root: f64,
+    (root, dim): (f64, Dimension),
 ) -> Result<Value> {
     let span = function.span;
     let mut ask = |at: Value| number(&asked(ctx, &function.value, &at)?, span);
@@ -197,7 +205,7 @@ fn varying(
     let (steepness, width, size) = over(reach)?;
     let (nearer, ..) = over(NEARER * reach)?;
     let Real::Jet(like) = ask(range.place(root).into_value())?.value else {
-        return Ok(range.place(root).into_value());
+        return Ok(Number { value: root, dim }.into_value());
     };
     let is_touching = steepness.abs() * width <= DIFFERENCE_RELATIVE * size;
     // A slope that goes on to change as it is looked at from nearer by is 0, or has no end.
@@ -216,7 +224,7 @@ fn varying(
         let rest = ask(place.into_value())?.value.like(&like);
         found = found.minus(&rest.scaled(1.0 / steepness)).with_value(root);
     }
-    Ok(Number { value: Real::Jet(found), dim: range.dim }.into_value())
+    Ok(Number { value: Real::Jet(found), dim }.into_value())
 }
 
 /// Why there is no root, in the words of the script.

@@ -12,7 +12,7 @@ use crate::{
             DIFFERENCE_RELATIVE, ROOT_BESIDE_RELATIVE, SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE,
         },
     },
-    value::{At, Callback, Ctx, Real, Value},
+    value::{At, Callback, Ctx, Dimension, Real, Value},
 };
 
 /// The unknowns near the start, and how they were found.
@@ -24,7 +24,7 @@ pub(super) fn solved(
     let is_varying = ctx.caller.is_varying(&function.value.0);
     // Where the search begins has no part in where the root is.
     let unknowns = Unknowns::new(&Spanned::new(without_derivatives(&start.value), start.span))?;
-    let mut n_residuals = None;
+    let (mut n_residuals, mut dim) = (None, Dimension::NONE);
     let mut ask = |place: &Value| {
         let value = asked(ctx, &function.value, place)?;
         let mut all = Vec::new();
@@ -36,6 +36,9 @@ pub(super) fn solved(
                 all.len()
             );
             return Diagnostic::error(Code::WrongKind, function.span, message).fail();
+        }
+        if all.iter().any(|number| number.dim.length_power().is_none()) {
+            dim = Dimension::OPEN;
         }
         Ok(all.into_iter().map(|number| number.value).collect())
     };
@@ -61,11 +64,11 @@ pub(super) fn solved(
     check_count(&unknowns, &found, function.span, &mut ask)?;
     let is_overdetermined = unknowns.values.len() < found.residuals.len();
     if is_root || is_overdetermined && found.is_settled {
-        let place = match is_varying {
+        let reals = match is_varying {
             true => varying(&unknowns, &found, (start.span, function.span), &mut ask)?,
-            false => unknowns.with(&found.unknowns),
+            false => found.unknowns.iter().copied().map(Real::Plain).collect(),
         };
-        return Ok((place, found));
+        return Ok((unknowns.found_by(dim).with_reals(&reals), found));
     }
     let message = match is_small {
         true => "no root was found from this start: the functions only tend to 0, or come near",
@@ -129,7 +132,7 @@ fn varying(
     found: &LeastSquares,
     (start, span): (Span, Span),
     ask: &mut dyn FnMut(&Value) -> Result<Vec<Real>>,
-) -> Result<Value> {
+) -> Result<Vec<Real>> {
     let root = &found.unknowns;
     let slopes = slopes(unknowns, root, ask)?;
     // What no function depends on is where the search began.
@@ -141,7 +144,7 @@ fn varying(
         Real::Jet(jet) => Some(jet),
         Real::Plain(_) => None,
     });
-    let Some(like) = like else { return Ok(unknowns.with(root)) };
+    let Some(like) = like else { return Ok(places) };
     if moving.len() != slopes.len() {
         return no_derivatives(span);
     }
@@ -168,7 +171,7 @@ fn varying(
             places[column] = Real::Jet(before.minus(&like.with_coefficients(steps)));
         }
     }
-    Ok(unknowns.with_reals(&places))
+    Ok(places)
 }
 
 /// The slopes of each function by all unknowns, by central differences.

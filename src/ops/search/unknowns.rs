@@ -59,6 +59,11 @@ impl Unknowns {
         Ok(bounds)
     }
 
+    /// The same unknowns, found by numbers of this dimension: those without a unit are open where these are.
+    pub(super) fn found_by(&self, dim: Dimension) -> Self {
+        Self { shape: opened(&self.shape, dim), values: self.values.clone() }
+    }
+
     /// The value of the start's shape with these numbers.
     pub(super) fn with(&self, values: &[f64]) -> Value {
         self.each(values, |_, value| Real::Plain(value))
@@ -236,6 +241,21 @@ fn put_together(shape: &Value, values: &mut dyn Iterator<Item = Real>) -> Value 
         Value::Record(record) => {
             let field =
                 |(label, value): (&str, &Value)| (Arc::from(label), put_together(value, values));
+            Value::Record(Arc::new(Record::new(record.iter().map(field).collect::<Vec<_>>())))
+        }
+        other => other.clone(),
+    }
+}
+
+/// A shape of unknowns that numbers of a dimension have told.
+fn opened(shape: &Value, by: Dimension) -> Value {
+    match shape {
+        Value::Number(Number { value, dim }) => {
+            Number { value: *value, dim: super::found_dimension(*dim, by) }.into_value()
+        }
+        Value::List(items) => Value::List(items.iter().map(|item| opened(item, by)).collect()),
+        Value::Record(record) => {
+            let field = |(label, value): (&str, &Value)| (Arc::from(label), opened(value, by));
             Value::Record(Arc::new(Record::new(record.iter().map(field).collect::<Vec<_>>())))
         }
         other => other.clone(),

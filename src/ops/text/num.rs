@@ -8,7 +8,7 @@ use crate::{
 };
 
 op! {
-    /// Number that a text spells. Nobody has said what it measures, as of a coordinate.
+    /// Number that a text spells. Nobody has said what it measures, as of a coordinate. Derivatives end at texts: it counts as fixed, whatever the text was made of.
     num in Text -> Number {
         /// The text, such as "12.5" or "1e-3".
         text: Spanned<Arc<str>>,
