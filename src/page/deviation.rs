@@ -77,7 +77,9 @@ fn places(shape: &Shape, encoded: &EncodedItem) -> Result<Vec<Vec<Place>>, Strin
             let parameters = encoded.parameters().unwrap_or_default();
             parameters.into_iter().map(Place::Parameters).collect()
         }
-        Shape::Mesh(mesh) => mesh.vertices().iter().copied().map(Place::Point).collect(),
+        Shape::Mesh(mesh) | Shape::Region(_, mesh) => {
+            mesh.vertices().iter().copied().map(Place::Point).collect()
+        }
         shape => return Err(format!("the deviation of a {} is not measured", shape.kind())),
     };
     let mut parts = Vec::new();
@@ -97,7 +99,7 @@ fn datums<'a>(shapes: impl Iterator<Item = &'a Shape>) -> Result<Vec<Datum<'a>>,
         for surface in shape.surfaces() {
             datums.push((DeviationReference::of_surface(surface)?, Some(surface)));
         }
-        if let Shape::Mesh(mesh) = shape {
+        if let Shape::Mesh(mesh) | Shape::Region(_, mesh) = shape {
             let distance = MeshDistance::new(mesh).map(DeviationReference::Mesh);
             datums.extend(distance.map(|distance| (distance, None)));
         }

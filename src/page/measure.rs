@@ -76,6 +76,7 @@ impl Sizes<'_> {
             Shape::Surfaces(surfaces) => surfaces.iter().map(area).sum(),
             Shape::Face(face) => within_ceilings(session, || face.mass()).map(|mass| mass.amount),
             Shape::Mesh(mesh) => within_ceilings(session, || mesh.measured_area()),
+            Shape::Region(region, _) => Ok(region.mass().amount),
             shape => Err(format!("a {} has no area", shape.kind())),
         });
         areas.sum()
@@ -87,7 +88,8 @@ impl Sizes<'_> {
         if let Some(shape) = shapes.iter().find(|shape| {
             !matches!(shape, Shape::Mesh(_) | Shape::Face(_)) && shape.surfaces().is_empty()
         }) {
-            return Err(format!("a {} encloses no volume", shape.kind()));
+            let what = if let Shape::Region(..) = shape { "region" } else { shape.kind() };
+            return Err(format!("a {what} encloses no volume"));
         }
         let surfaces: Vec<Surface> = shapes.iter().flat_map(Shape::surfaces).cloned().collect();
         let meshes: Vec<&Mesh> = shapes

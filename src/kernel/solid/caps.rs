@@ -155,10 +155,26 @@ fn closed_rims(mut edges: Vec<NurbsCurve>, distance: f64) -> Result<Vec<NurbsCur
             end = edge.end();
             chain.push(edge);
         }
-        rims.push(match &chain[..] {
+        rims.push(with_one_end(&match &chain[..] {
             [single] => single.clone(),
             _ => join(&chain, distance)?,
-        });
+        })?);
     }
     Ok(rims)
+}
+
+/// A curve whose ends are within the tolerance of one another, with its end where it starts.
+///
+/// # Errors
+/// Those of [`NurbsCurve::new`].
+fn with_one_end(rim: &NurbsCurve) -> Result<NurbsCurve, GeomError> {
+    if rim.start().distance(rim.end()) <= 0.0 {
+        return Ok(rim.clone());
+    }
+    let clamped = rim.clamped();
+    let mut points = clamped.control_points().to_vec();
+    if let Some(last) = points.last_mut() {
+        *last = (rim.start() * last.w).extend(last.w);
+    }
+    NurbsCurve::new(clamped.knots().clone(), points)
 }

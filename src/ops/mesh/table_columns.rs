@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{NamedColumn, Table},
-    value::{At, Ctx, Dimension, Number, Record, Value, op},
+    value::{At, CARRIES_DERIVATIVES, Ctx, Dimension, Number, Record, Value, op},
 };
 
 op! {
@@ -31,18 +31,37 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
             let message = format!("column `{name}` must be a list, found {}", value.phrase());
             return Diagnostic::error(Code::WrongKind, span, message).fail();
         };
-        columns.extend(columns_of(name, items, ctx.unit).map_err(|found| {
-            let message = format!(
-                "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
-            );
-            Box::new(Diagnostic::error(Code::WrongKind, span, message))
-        })?);
+        columns.extend(columns_of(name, items, ctx.unit, span)?);
     }
     Table::new(columns).at(span)
 }
 
-/// The columns that a list of cells makes; else the cell that does not fit.
+/// The columns that a list of cells makes.
+///
+/// # Errors
+/// Cells of other kinds, or of several; cells that carry derivatives.
 pub(super) fn columns_of(
+    name: &str,
+    items: &[Value],
+    unit: &str,
+    span: Span,
+) -> Result<Vec<NamedColumn>> {
+    if items.iter().any(Value::is_jet) {
+        let message = "no derivative passes through a table, and derivatives are wanted";
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint(CARRIES_DERIVATIVES)
+            .fail();
+    }
+    of_one_kind(name, items, unit).map_err(|found| {
+        let message = format!(
+            "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
+        );
+        Box::new(Diagnostic::error(Code::WrongKind, span, message))
+    })
+}
+
+/// The columns of cells of one kind; else the cell that does not fit.
+fn of_one_kind(
     name: &str,
     items: &[Value],
     unit: &str,

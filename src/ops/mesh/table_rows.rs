@@ -36,12 +36,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Table> {
     let mut columns = Vec::new();
     for label in labels {
         let cells: Vec<Value> = rows.iter().filter_map(|row| row.get(label).cloned()).collect();
-        columns.extend(columns_of(label, &cells, ctx.unit).map_err(|found| {
-            let message = format!(
-                "column `{label}` holds numbers, strings or points, but of one kind; found {found}"
-            );
-            Box::new(Diagnostic::error(Code::WrongKind, span, message))
-        })?);
+        columns.extend(columns_of(label, &cells, ctx.unit, span)?);
     }
     Table::new(columns).at(span)
 }

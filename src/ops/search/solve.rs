@@ -139,9 +139,7 @@ fn within_range(
         let all = proof.roots(bounds, &mut ask, range.ends);
         found = match all.ok().and_then(|all| all.first().copied()) {
             Some(root) => Ok(vec![root]),
-            None if proof.open.is_none() => {
-                find_root(&mut ask, range.ends).map(|root| vec![root])
-            }
+            None if proof.open.is_none() => find_root(&mut ask, range.ends).map(|root| vec![root]),
             None => found,
         };
     }

@@ -76,7 +76,7 @@ pub(super) fn encoded(
         }
         Shape::Curve(curve) => item.add_curve(curve)?,
         Shape::Curves(curves) => item.add_curves(curves)?,
-        Shape::Mesh(mesh) => {
+        Shape::Mesh(mesh) | Shape::Region(_, mesh) => {
             item.add_mesh(mesh);
             item.add_mesh_edges(mesh);
         }
@@ -134,7 +134,7 @@ pub(super) fn facts_of(shape: &Shape) -> Map<String, Json> {
         Shape::Surfaces(surfaces) => {
             tell("surfaces", json!(surfaces.len()));
         }
-        Shape::Mesh(mesh) => {
+        Shape::Mesh(mesh) | Shape::Region(_, mesh) => {
             tell("triangles", json!(mesh.n_triangles()));
             tell("points", json!(mesh.n_vertices()));
         }

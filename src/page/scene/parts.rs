@@ -23,6 +23,8 @@ pub(crate) enum Shape {
     Face(Arc<Face>),
     Curve(Curve),
     Mesh(Arc<Mesh>),
+    /// A region, and the triangles by which it is drawn.
+    Region(Arc<Region>, Arc<Mesh>),
     Points(Vec<DVec3>),
     /// Many surfaces of a list.
     Surfaces(Vec<Surface>),
@@ -85,13 +87,14 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
 }
 
 /// The area of a region, and its borders.
-fn gather_region(region: &Region, path: &str, found: &mut Vec<Piece>) {
+fn gather_region(region: &Arc<Region>, path: &str, found: &mut Vec<Piece>) {
     let chord = DEFAULT_CHORD_RELATIVE * region.bounds().diagonal();
     let Ok(mesh) = region.mesh(chord, Tolerance::DEFAULT.distance, Limits::DEFAULT.mesh_vertices)
     else {
         return;
     };
-    found.push(Piece { path: path.to_owned(), shape: Shape::Mesh(Arc::new(mesh)) });
+    let shape = Shape::Region(Arc::clone(region), Arc::new(mesh));
+    found.push(Piece { path: path.to_owned(), shape });
     for (i, border) in region.borders().unwrap_or_default().into_iter().enumerate() {
         let path = match i {
             0 => format!("{path}.outer"),
@@ -153,7 +156,7 @@ impl Shape {
         match self {
             Self::Surface(_) | Self::Face(_) => "surface",
             Self::Curve(_) => "curve",
-            Self::Mesh(_) | Self::Surfaces(_) => "mesh",
+            Self::Mesh(_) | Self::Region(..) | Self::Surfaces(_) => "mesh",
             Self::Points(_) => "points",
             Self::Curves(_) => "polyline",
         }
@@ -199,7 +202,7 @@ impl Shape {
             Self::Face(face) => face.bounds(Tolerance::DEFAULT).ok(),
             Self::Curve(curve) => curve.bounds().ok(),
             Self::Curves(curves) => whole(&mut curves.iter().map(Curve::bounds)),
-            Self::Mesh(mesh) => mesh.bounds(),
+            Self::Mesh(mesh) | Self::Region(_, mesh) => mesh.bounds(),
             Self::Points(points) => Bounds::of(points.iter().copied()),
         };
         bounds.filter(|bounds| bounds.diagonal().is_finite())

@@ -12,7 +12,8 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Face, Interval, Jet, Region, Side},
     value::{
-        At, Dimension, FromValue, IntoValue, Real, RealCurve, RealSurface, Value, Vector, rounded,
+        At, CARRIES_DERIVATIVES, Dimension, FromValue, IntoValue, Real, RealCurve, RealSurface,
+        Value, Vector, rounded,
     },
 };
 
@@ -69,6 +70,15 @@ fn domain(value: &Value, over: &Spanned<Value>) -> Result<Domain> {
 }
 
 fn refused<T>(found: &Value, span: Span) -> Result<T> {
+    if found.is_jet() {
+        let message = format!(
+            "no derivative passes through an integral over {}, and derivatives are wanted",
+            found.looked_at().phrase()
+        );
+        return Diagnostic::error(Code::NoDerivative, span, message)
+            .hint(CARRIES_DERIVATIVES)
+            .fail();
+    }
     let message = format!(
         "an integral is over a range, a box, a curve, a region, a face or a surface, found {}",
         found.phrase()

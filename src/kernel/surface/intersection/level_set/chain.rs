@@ -54,9 +54,14 @@ pub(super) fn chained(
                 points.fold((DVec3::ZERO, 0.0), |(sum, n), point| (sum + point, n + 1.0));
             sum / f64::max(n, 1.0)
         };
+        let middle_of = |own_spots: &[usize]| {
+            let is_exact = own_spots.iter().any(|&i| spots[i].is_exact);
+            let own = own_spots.iter().map(|&i| spots[i]);
+            middle(&mut own.filter(|spot| spot.is_exact || !is_exact).map(|spot| spot.point))
+        };
         match members[..] {
             [] if own_spots.is_empty() => {}
-            [] => isolated.push(middle(&mut own_spots.iter().map(|&i| spots[i].point))),
+            [] => isolated.push(middle_of(own_spots)),
             [end] => alone.push(end),
             [a, b] => {
                 partner[a] = Some(b);
@@ -66,7 +71,7 @@ pub(super) fn chained(
                 let place = if own_spots.is_empty() {
                     middle(&mut members.iter().map(|&end| point(&runs, end)))
                 } else {
-                    middle(&mut own_spots.iter().map(|&i| spots[i].point))
+                    middle_of(own_spots)
                 };
                 members.iter().for_each(|&end| move_end(&mut runs, end, place));
             }

@@ -26,6 +26,7 @@ mod elsewhere;
 mod error;
 mod pair;
 mod plane;
+mod resting_place;
 mod results;
 mod sample;
 mod scaled;
@@ -49,6 +50,7 @@ pub use results::{CurveSurfaceIntersection, LevelSet};
 
 use branch::Branch;
 use cell::{PositivityCondition, SearchResolution};
+use resting_place::FieldSlopes;
 use sample::{BranchSamples, VanishingPlace};
 use scaled::CommonScale;
 
@@ -132,7 +134,7 @@ impl ZeroSetParts {
             let domains = [patch.domain_u(), patch.domain_v()];
             [0, 1].map(|i| domains[i].at(place[i]))
         };
-        let found = cell::search(rest, conditions, fineness, &mut self.n_cells_left);
+        let found = cell::search(rest.clone(), conditions, fineness, &mut self.n_cells_left);
         let found = found.map_err(|failure| match failure {
             cell::SearchFailure::Ended => GeomError::Ended,
             cell::SearchFailure::Unresolved(place) => {
@@ -148,13 +150,16 @@ impl ZeroSetParts {
             }
         }
         let least = basis.map_or(0.0, |basis| TOUCH_RELATIVE * square::largest(basis));
+        let slopes = (!found.rest.is_empty()).then(|| FieldSlopes::of(&rest));
         for [middle, widths] in found.rest {
             if basis.is_some_and(|basis| square::value(basis, middle) <= least) {
                 continue;
             }
-            let [u, v] = at(middle);
+            let resting = slopes.as_ref().and_then(|slopes| slopes.resting_place(middle, widths));
+            let [u, v] = at(resting.unwrap_or(middle));
             let radius = extents[0] * widths[0] + extents[1] * widths[1];
-            self.spots.push(VanishingPlace { point: patch.point_at(u, v), radius });
+            let (point, is_exact) = (patch.point_at(u, v), resting.is_some());
+            self.spots.push(VanishingPlace { point, radius, is_exact });
         }
         Ok(())
     }
@@ -178,7 +183,7 @@ impl ZeroSetParts {
             }
             let run = BranchSamples::of(&branch, patch, SAMPLING * self.tolerance)?;
             if run.length() <= self.tolerance {
-                self.spots.push(VanishingPlace { point: run.start(), radius: 0.0 });
+                self.spots.push(VanishingPlace { point: run.start(), radius: 0.0, is_exact: true });
             } else {
                 self.sides.push(ZeroSide { run, is_of_zero });
             }

@@ -22,6 +22,8 @@ pub(super) const MOST_TURN: f64 = 0.6;
 pub(super) struct VanishingPlace {
     pub(super) point: DVec3,
     pub(super) radius: f64,
+    /// Whether the slopes vanish at the point itself, to rounding, and not at one nearby.
+    pub(super) is_exact: bool,
 }
 
 /// Samples of a branch, in order.

@@ -153,7 +153,11 @@ impl SharedParts {
                 return Err(PictureError::SurfacesRunTogether { point: seen.point }.into());
             }
             Some(TangentialContact::Point(reach)) => {
-                self.touches.push(VanishingPlace { point: reach.point, radius: 0.0 });
+                self.touches.push(VanishingPlace {
+                    point: reach.point,
+                    radius: 0.0,
+                    is_exact: true,
+                });
                 self.reaches.push(reach);
             }
             Some(TangentialContact::Branches(junction)) => {
@@ -222,10 +226,12 @@ fn spots(
         let is_here = |point: DVec3| whole.contains(point, 0.5 * whole.diagonal());
         let inside = seen.map(|seen| seen.point).filter(|&point| is_here(point));
         let pole = crossing.poles.iter().copied().find(|&pole| is_here(pole));
-        let point = pole.or(inside).unwrap_or(center);
+        let known = pole.or(inside);
+        let point = known.unwrap_or(center);
         spots.push(VanishingPlace {
             point,
             radius: point.distance(center) + 0.5 * whole.diagonal(),
+            is_exact: known.is_some(),
         });
     }
     Ok(spots)

@@ -133,8 +133,10 @@ fn shared(
     branches(&crossing, &ends, &mut runs);
     arcs(&crossing, clear, &ends, &mut runs)?;
     // Where the surfaces are that near all over, a loop is no more than a touch.
-    let poles =
-        |radius: f64| crossing.poles.iter().map(move |&point| VanishingPlace { point, radius });
+    let poles = |radius: f64| {
+        let pole = move |&point| VanishingPlace { point, radius, is_exact: true };
+        crossing.poles.iter().map(pole)
+    };
     let around_poles = poles((crossing.contact * crossing.size).sqrt());
     let near: Vec<VanishingPlace> = ends.spots.iter().copied().chain(around_poles).collect();
     runs.retain(|run| !near.iter().any(|spot| run.is_within(spot)));

@@ -1,0 +1,43 @@
+//! Where a field has no slope: there lines along which it vanishes cross.
+
+use crate::{
+    Grid,
+    ceiling::NEWTON_STEPS,
+    numeric::newton::{NewtonStep, within_limits},
+    surface::intersection::square,
+    tolerance::{LAST_BIT, PARAMETER_RELATIVE},
+};
+
+/// The slopes of a field on a patch, and theirs.
+pub(super) struct FieldSlopes {
+    first: [Grid<f64>; 2],
+    second: [Grid<f64>; 3],
+}
+
+impl FieldSlopes {
+    pub(super) fn of(field: &Grid<f64>) -> Self {
+        let first = [square::slope_u(field), square::slope_v(field)];
+        let second =
+            [square::slope_u(&first[0]), square::slope_v(&first[0]), square::slope_v(&first[1])];
+        Self { first, second }
+    }
+
+    /// The one place, by fractions of the patch, about which a cell of these widths lies and where both slopes vanish, by
+    /// Newton's method; none where the field bends in one direction alone, as where it touches zero along a line.
+    pub(super) fn resting_place(&self, middle: [f64; 2], widths: [f64; 2]) -> Option<[f64; 2]> {
+        let limits =
+            [0, 1].map(|i| [(middle[i] - widths[i]).max(0.0), (middle[i] + widths[i]).min(1.0)]);
+        let is_still =
+            |a: [f64; 2], b: [f64; 2]| (0..2).all(|i| (a[i] - b[i]).abs() <= PARAMETER_RELATIVE);
+        within_limits(limits, middle, NEWTON_STEPS, is_still, |at| {
+            let [along_u, along_v] = self.first.each_ref().map(|slope| square::value(slope, at));
+            let [uu, uv, vv] = self.second.each_ref().map(|slope| square::value(slope, at));
+            let (bend, size) = (uu * vv - uv * uv, (uu * vv).abs() + uv * uv);
+            let step = [uv * along_v - vv * along_u, uv * along_u - uu * along_v];
+            let is_certain = LAST_BIT.sqrt() * size < bend.abs();
+            NewtonStep::perhaps(is_certain.then(|| step.map(|step| step / bend)))
+        })
+        .settled()
+        .filter(|at| (0..2).all(|i| limits[i][0] < at[i] && at[i] < limits[i][1]))
+    }
+}
