@@ -36,7 +36,8 @@ pub use measurement::mass::{
     MassProperties, SignedVolume, area_mass, facing_unlike, signed_volume, volume_mass,
 };
 pub(crate) use measurement::quadrature::{
-    Density, IntegralValues, QuadratureMap, QuantityKinds, far_share, integral, integral_over,
+    Density, IntegralValues, ONE_MOMENT, ONE_QUANTITY, QuadratureMap, QuantityKinds, far_share,
+    integral, integral_over,
 };
 pub use measurement::shape::{Principal, SurfacePointKind, SurfaceShape};
 pub use measurement::shell::ShellError;

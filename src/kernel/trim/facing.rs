@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     Bounds, GeomError, MeasureError, NurbsCurve, Surface, Tolerance, facing_unlike,
-    surface::{IntegralValues, integral},
+    surface::{IntegralValues, ONE_MOMENT, integral},
 };
 
 /// For each surface and face, whether it must turn over so that those that hang together look alike: outward where
@@ -125,8 +125,8 @@ impl SurfacePiece<'_> {
         let about = whole.center();
         let density = |point, normal| flux(arm(point, about), normal);
         let IntegralValues { values: [flux], .. } = match self {
-            Self::Whole(surface) => integral(surface, [0], density)?,
-            Self::Part(face) => face.integral([0], density)?,
+            Self::Whole(surface) => integral(surface, ONE_MOMENT, density)?,
+            Self::Part(face) => face.integral(ONE_MOMENT, density)?,
         };
         Ok(flux)
     }

@@ -13,11 +13,11 @@ use glam::DVec3;
 
 use super::{Face, lift::affine_map};
 use crate::{
-    Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
-    Tolerance,
+    Bounds, Direction, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface,
+    Region, Tolerance,
     surface::{
-        Density, IntegralValues, MOMENT_KINDS, MassIntegral, QuadratureMap, QuantityKinds, Surface,
-        far_share, integral, integral_over, moments,
+        Density, IntegralValues, MOMENT_KINDS, MassIntegral, ONE_MOMENT, QuadratureMap,
+        QuantityKinds, Surface, far_share, integral, integral_over, moments,
     },
     tolerance::{KNOT_RELATIVE, LAST_BIT, PARAMETER_RELATIVE},
 };
@@ -52,6 +52,15 @@ impl QuadratureMap for ParameterPiece<'_> {
         let v = v.clamp(domain_v.start(), domain_v.end());
         let [point, along_u, along_v] = surface.tangents_at(u, v);
         Ok((point, along_u.cross(along_v), factor))
+    }
+
+    fn even_way(&self) -> Option<Direction> {
+        match *self {
+            Self::Rectangle { surface, .. } => surface.translation_direction(),
+            Self::Strip { surface, .. } => {
+                surface.translation_direction().filter(|&way| way == Direction::U)
+            }
+        }
     }
 
     fn cells(&self) -> [Vec<Interval>; 2] {
@@ -96,7 +105,7 @@ impl Face {
         if let Some((_, area)) = self.plane_area() {
             return Ok(area.length());
         }
-        Ok(self.integral([0], |_, normal| [normal.length()])?.values[0])
+        Ok(self.integral(ONE_MOMENT, |_, normal| [normal.length()])?.values[0])
     }
 
     /// Of a face on a plane patch that is even everywhere, a point of its plane and the normal along Su × Sv as long

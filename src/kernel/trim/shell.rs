@@ -16,7 +16,9 @@ use super::{
 use crate::{
     Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
     frame::norm,
-    surface::{Density, IntegralValues, MOMENT_KINDS, MassIntegral, moments},
+    surface::{
+        Density, IntegralValues, MOMENT_KINDS, MassIntegral, ONE_MOMENT, ONE_QUANTITY, moments,
+    },
     tolerance::LAST_BIT,
 };
 
@@ -98,7 +100,7 @@ impl Face {
             let errors = [FLUX_BITS * LAST_BIT * sizes[0]];
             return Ok(IntegralValues { values, errors, sizes });
         }
-        self.integral([0], |point, normal| flux(arm(point, about), normal))
+        self.integral(ONE_MOMENT, |point, normal| flux(arm(point, about), normal))
     }
 
     /// The solid angle under which its back is seen from a point that is not on it, less that of its front.
@@ -106,7 +108,7 @@ impl Face {
     /// # Errors
     /// Those of a search that was ended.
     pub(crate) fn solid_angle(&self, from: DVec3) -> Result<f64, GeomError> {
-        let seen = self.integral([0], |point, normal| {
+        let seen = self.integral(ONE_QUANTITY, |point, normal| {
             let arm = point - from;
             let distance = norm(arm);
             [arm.dot(normal) / (distance * distance * distance)]

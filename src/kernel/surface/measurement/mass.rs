@@ -12,7 +12,7 @@ use crate::{
     surface::{
         Surface,
         measurement::{
-            quadrature::{Density, IntegralValues, QuantityKinds, integral},
+            quadrature::{Density, IntegralValues, ONE_MOMENT, QuantityKinds, integral},
             shell::oriented,
         },
     },
@@ -56,7 +56,7 @@ impl Surface {
         let Some(scale) =
             needed_scale(probed(std::slice::from_ref(self))?.map_or(0.0, Bounds::magnitude))
         else {
-            let found = integral(self, [0], |_, normal| [normal.length()])?;
+            let found = integral(self, ONE_MOMENT, |_, normal| [normal.length()])?;
             return Ok((found.values[0], found.relative_error()));
         };
         let plain = self.transformed(&DAffine3::from_scale(DVec3::splat(scale.recip())))?;
@@ -161,7 +161,7 @@ pub fn signed_volume(
     tolerance: Tolerance,
 ) -> Result<SignedVolume, GeomError> {
     let EnclosedFlux { sum, about, signs } =
-        EnclosedFlux::of(surfaces, tolerance, [0], |_, flux| [flux])?;
+        EnclosedFlux::of(surfaces, tolerance, ONE_MOMENT, |_, flux| [flux])?;
     let (amount, relative_error) = sum.amount_of_volume()?;
     Ok(SignedVolume { amount, relative_error, about, signs })
 }
@@ -235,7 +235,11 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
         let mut flux = 0.0;
         for &(idx, sign) in shell.surfaces.iter().filter(|_| shell.is_closed) {
             let part =
-                integral(&surfaces[idx], [0], |point, normal| [(point - about).dot(normal)])?;
+                integral(
+                    &surfaces[idx],
+                    ONE_MOMENT,
+                    |point, normal| [(point - about).dot(normal)],
+                )?;
             flux += sign * part.values[0];
         }
         if !flux.is_finite() {
@@ -249,7 +253,8 @@ pub fn facing_unlike(surfaces: &[Surface], tolerance: Tolerance) -> Result<Vec<b
 }
 
 /// The kinds of [`moments`]: of the orders 0, 1 and 2.
-pub(crate) const MOMENT_KINDS: QuantityKinds<10> = [0, 1, 1, 1, 2, 2, 2, 2, 2, 2];
+pub(crate) const MOMENT_KINDS: QuantityKinds<10> =
+    QuantityKinds { numbers: [0, 1, 1, 1, 2, 2, 2, 2, 2, 2], are_moments: true };
 
 /// A density times 1, x, y, z, and the products of these.
 pub(crate) fn moments(arm: DVec3, density: f64) -> [f64; 10] {

@@ -4,7 +4,8 @@
 //! polynomial of degree 15 in each parameter, as it is for volumes of bicubic patches. Each cell
 //! is compared with its halves along u and along v, and the cell that changes most is halved next,
 //! along the parameter by which it changes more: towards a pole or an edge where the integrand is
-//! not smooth the cells shrink in proportion.
+//! not smooth the cells shrink in proportion. Along a straight and even way, as of an extrusion, quantities are
+//! polynomials of degree 3 at most, of which two nodes are enough.
 //!
 //! How far an integral may be off is told by its changes. Where these fade from one halving to the
 //! next by a factor ρ, what is still to come is ρ/(1 − ρ) of the last one: little of a smooth
@@ -17,7 +18,7 @@ use glam::DVec3;
 use crate::{
     Direction, GeomError, Interval, NurbsSurface,
     ceiling::SURFACE_CUTS,
-    numeric::gauss_legendre::{EIGHT_NODES, nodes},
+    numeric::gauss_legendre::{EIGHT_NODES, TWO_NODES, nodes},
     surface::{Surface, representation::even::evened},
     tolerance::{BESIDE_CREASE, FAR_SHARE, LAST_BIT, QUADRATURE_RELATIVE},
 };
@@ -81,7 +82,8 @@ struct CellEstimate<const N: usize> {
 /// A cell with its integral by the whole, and by the halves along u and along v.
 struct IntegratedCell<const N: usize> {
     cell: QuadratureCell,
-    halves: [[CellEstimate<N>; 2]; 2],
+    /// None along a way along which the whole is exact.
+    halves: [Option<[CellEstimate<N>; 2]>; 2],
     values: [f64; N],
     absolute: [f64; N],
     parts: [f64; N],
@@ -101,16 +103,21 @@ impl<const N: usize> IntegratedCell<N> {
     fn new(
         cell: QuadratureCell,
         whole: CellEstimate<N>,
-        halves: [[CellEstimate<N>; 2]; 2],
+        halves: [Option<[CellEstimate<N>; 2]>; 2],
     ) -> Self {
         let sum = |[a, b]: &[CellEstimate<N>; 2], i: usize| a.values[i] + b.values[i];
-        let changes =
-            halves.each_ref().map(|pair| std::array::from_fn(|i| sum(pair, i) - whole.values[i]));
+        let change = |pair: &Option<[CellEstimate<N>; 2]>, i: usize| {
+            pair.as_ref().map_or(0.0, |pair| sum(pair, i) - whole.values[i])
+        };
+        let changes = halves.each_ref().map(|pair| std::array::from_fn(|i| change(pair, i)));
         // What either pair of halves corrects.
         let values = std::array::from_fn(|i| whole.values[i] + changes[0][i] + changes[1][i]);
-        let [[a, b], _] = &halves;
-        let absolute = std::array::from_fn(|i| a.absolute[i] + b.absolute[i]);
-        let parts = std::array::from_fn(|i| a.parts[i] + b.parts[i]);
+        let finest = halves.iter().flatten().next();
+        let of_finest = |of: fn(&CellEstimate<N>) -> &[f64; N]| -> [f64; N] {
+            finest.map_or(*of(&whole), |[a, b]| std::array::from_fn(|i| of(a)[i] + of(b)[i]))
+        };
+        let absolute = of_finest(|estimate| &estimate.absolute);
+        let parts = of_finest(|estimate| &estimate.parts);
         let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
         Self { cell, halves, values, absolute, parts, changes, factors: [[1.0; N]; 2] }
     }
@@ -158,6 +165,9 @@ pub(crate) trait QuadratureMap {
 
     /// Rectangles in which all is smooth.
     fn cells(&self) -> [Vec<Interval>; 2];
+
+    /// A direction along which points move evenly, and Su × Sv and the factor stay.
+    fn even_way(&self) -> Option<Direction>;
 }
 
 impl QuadratureMap for Surface {
@@ -176,6 +186,13 @@ impl QuadratureMap for Surface {
         Ok((point, along_u.cross(along_v), 1.0))
     }
 
+    fn even_way(&self) -> Option<Direction> {
+        match self {
+            Self::Nurbs(surface) => surface.translation_direction(),
+            Self::Parametric(_) => None,
+        }
+    }
+
     /// What the surface is made of, or for a function even parts.
     fn cells(&self) -> [Vec<Interval>; 2] {
         match self {
@@ -189,9 +206,22 @@ impl QuadratureMap for Surface {
     }
 }
 
-/// For each of several quantities the number of its kind. Quantities of a kind are known as well as the largest
-/// of them: of the three moments of a plate, that across it may be nothing but rounding.
-pub(crate) type QuantityKinds<const N: usize> = [usize; N];
+/// What several quantities are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct QuantityKinds<const N: usize> {
+    /// For each the number of its kind. Quantities of a kind are known as well as the largest of them: of the three
+    /// moments of a plate, that across it may be nothing but rounding.
+    pub(crate) numbers: [usize; N],
+    /// Whether they are polynomials of degree 3 at most in the point, where Su × Sv and how far it lies along that stay.
+    pub(crate) are_moments: bool,
+}
+
+/// One such polynomial.
+pub(crate) const ONE_MOMENT: QuantityKinds<1> = QuantityKinds { numbers: [0], are_moments: true };
+
+/// One quantity of any sort.
+pub(crate) const ONE_QUANTITY: QuantityKinds<1> =
+    QuantityKinds { numbers: [0], are_moments: false };
 
 /// The integral over du·dv of quantities that depend on a point and on Su × Sv.
 ///
@@ -228,12 +258,19 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
     kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
-    let rule = |cell: QuadratureCell| quadrature(&parts[cell.part], far, cell, &density);
+    let way = |map: &M| if kinds.are_moments { map.even_way() } else { None };
+    let ways: Vec<Option<Direction>> = parts.iter().map(way).collect();
+    let rule = |cell: QuadratureCell| {
+        quadrature((&parts[cell.part], ways[cell.part]), far, cell, &density)
+    };
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
-            let pair = |direction: Direction| -> Result<[CellEstimate<N>; 2], GeomError> {
+            let pair = |direction: Direction| -> Result<Option<[CellEstimate<N>; 2]>, GeomError> {
+                if ways[cell.part] == Some(direction) {
+                    return Ok(None);
+                }
                 let [a, b] = cell.halves(direction);
-                Ok([rule(a)?, rule(b)?])
+                Ok(Some([rule(a)?, rule(b)?]))
             };
             Ok(IntegratedCell::new(cell, whole, [pair(Direction::U)?, pair(Direction::V)?]))
         };
@@ -248,7 +285,7 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
             std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
         };
         let alone = of_all(&|known, i| known.absolute[i]);
-        let of_kind = |i: usize| (0..N).filter(move |&k| kinds[k] == kinds[i]);
+        let of_kind = |i: usize| (0..N).filter(move |&k| kinds.numbers[k] == kinds.numbers[i]);
         let largest = |all: [f64; N]| -> [f64; N] {
             std::array::from_fn(|i| of_kind(i).map(|k| all[k]).fold(0.0, f64::max))
         };
@@ -272,8 +309,8 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
         n_cuts -= 1;
         let worst = all.swap_remove(worst);
         let direction = worst.direction(allowed);
-        let halves = worst.cell.halves(direction).into_iter().zip(worst.halves[direction]);
-        for (half, whole) in halves {
+        let halves = worst.cell.halves(direction).into_iter();
+        for (half, whole) in halves.zip(worst.halves[direction].into_iter().flatten()) {
             all.push(known(half, whole)?.after(&worst, direction));
         }
     }
@@ -301,7 +338,7 @@ fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
 /// What is added up is the difference from the middle of the cell, so that what does not change
 /// has its exact integral.
 fn quadrature<const N: usize, D: Into<Density<N>>>(
-    map: &impl QuadratureMap,
+    (map, way): (&impl QuadratureMap, Option<Direction>),
     far: f64,
     cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> D,
@@ -316,8 +353,15 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
     };
     let middle = at(cell.u.at(0.5), cell.v.at(0.5))?.values;
     let (mut means, mut absolute, mut parts) = ([0.0; N], [0.0; N], [0.0; N]);
-    for (u, weight_u) in nodes(&EIGHT_NODES, cell.u) {
-        for (v, weight_v) in nodes(&EIGHT_NODES, cell.v) {
+    let nodes_along = |direction: Direction, interval: Interval| -> Vec<(f64, f64)> {
+        match way == Some(direction) {
+            true => nodes(&TWO_NODES, interval).collect(),
+            false => nodes(&EIGHT_NODES, interval).collect(),
+        }
+    };
+    let along_v = nodes_along(Direction::V, cell.v);
+    for (u, weight_u) in nodes_along(Direction::U, cell.u) {
+        for &(v, weight_v) in &along_v {
             let weight = weight_u * weight_v;
             let there = at(u, v)?;
             for (i, value) in there.values.into_iter().enumerate() {

@@ -9,3 +9,4 @@ pub(super) mod jumps;
 pub(super) mod parametric;
 pub(super) mod parts;
 pub(super) mod power;
+pub(super) mod translation;
