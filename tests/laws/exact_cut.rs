@@ -253,6 +253,21 @@ fn the_side_of_a_torus_that_its_tangent_plane_leaves_touching_itself_is_refused(
     }
 }
 
+/// Where a plane touches a surface and crosses it about the place, the curves end in that place itself.
+#[test]
+fn curves_that_cross_where_a_plane_touches_end_where_it_does() {
+    let torus = NurbsSurface::torus(Frame::XY, 3.0, 1.0).expect("a torus");
+    for k in 0..24 {
+        let (sine, cosine) = libm::sincos(0.3 + f64::from(k));
+        let normal = DVec3::new(cosine, sine, 0.0);
+        let curves = section(&torus, plane(2.0 * normal, normal));
+        assert_eq!(curves.len(), 2, "{normal}");
+        for end in curves.iter().flat_map(|curve| [curve.start(), curve.end()]) {
+            assert!(end.distance(2.0 * normal) <= 1e-12, "{end} for {}", 2.0 * normal);
+        }
+    }
+}
+
 /// Where surfaces tell the plane of what they share, `intersections` answers with the conic of that plane.
 #[test]
 fn surfaces_that_cross_in_a_plane_cross_in_conics() {

@@ -333,3 +333,15 @@ fn a_line_goes_through_a_solid_where_the_equations_of_its_faces_say() {
         NurbsCurve::line(DVec3::new(-1.0, -1.0, 3.0), DVec3::new(2.0, 2.0, 3.0)).unwrap().into();
     assert!(block.piercings(&in_face, TOLERANCE).is_err());
 }
+
+/// However many holes there are, the volume of a plate is known to the last digits.
+#[test]
+fn a_plate_with_many_holes_has_an_exact_volume() {
+    for (n, way) in [(3, DVec3::Z), (12, DVec3::new(0.3, -0.2, 2.0))] {
+        let plate = Solid::extruded(&sieve(n), way, TOLERANCE).expect("a plate");
+        let n_holes = (n * n) as f64;
+        let expected = way.z * n_holes * (1.0 - 0.09 * PI);
+        let found = plate.volume_mass().expect("a volume").amount;
+        assert!((found / expected - 1.0).abs() <= 1e-13, "{found} for {expected}");
+    }
+}

@@ -182,6 +182,25 @@ fn sides_are_judged_by_themselves_where_planes_touch_holes() {
     }
 }
 
+/// A plane through the rims of a hole touches it at both ends: half of the ring hangs together in one of these places
+/// alone, on either side.
+#[test]
+fn halves_that_hang_together_in_a_rim_alone_are_refused() {
+    let corners = [[1.0, -1.0, 0.0], [3.0, -1.0, 0.0], [3.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    let axis = Axis::new(DVec3::ZERO, DVec3::Y).expect("an axis");
+    let ring = Solid::revolved(&region(&polygon(&corners), &[]), axis, TAU, TOLERANCE);
+    let ring = ring.expect("a ring");
+    let plane = Frame::from_normal(DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0), None).expect("a plane");
+    for is_above in [true, false] {
+        let found = ring.cut(plane, is_above, TOLERANCE);
+        let Err(GeomError::Solid(SolidError::TouchesPlane { point })) = found else {
+            panic!("{:?} of a half that touches itself", found.err());
+        };
+        let place = DVec3::new(1.0, -1.0, 0.0);
+        assert!(point.distance(if is_above { -place } else { place }) < 1e-4, "{point}");
+    }
+}
+
 /// Planes through a plate with holes, along its sides, through and beside its holes.
 #[test]
 fn a_sieve_is_cut_through_its_holes() {

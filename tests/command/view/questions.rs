@@ -231,6 +231,19 @@ fn lengths_areas_and_volumes_are_exact() {
 }
 
 #[test]
+fn the_area_of_a_region_is_that_of_its_borders() {
+    let script = "let whole = region(circle((0, 0), 4))\n\
+                  region plate = difference(whole, region(circle((1, 1), 1)))[0]\n";
+    let view = View::of("region", script);
+    let state = view.current();
+    let measure = |kind: &str| {
+        view.post("/api/measure", &json!({ "kind": kind, "items": [key(&state, "plate")] }))
+    };
+    near(&measure("area").json()["value"], 15.0 * std::f64::consts::PI);
+    assert_eq!(measure("volume").json()["error"], json!("a region encloses no volume"));
+}
+
+#[test]
 fn a_default_is_written_and_nothing_else() {
     let view = View::of("write", SCRIPT);
     let state = view.current();
