@@ -13,14 +13,19 @@ use pyo3::{
 };
 use virote::{
     kernel::{
-        Column, Curve, Face, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
+        Column, Curve, Face, Interval, Mesh, NurbsCurve, Surface, Tolerance,
         glam::{DVec3, DVec4},
     },
     session::HeldValue,
     value::Value,
 };
 
-use crate::{convert, errors::geom_error};
+use crate::{
+    blocks::{add, each_flat, flat_array},
+    convert,
+    errors::geom_error,
+    picture,
+};
 
 /// A value that stays in the library.
 #[pyclass(frozen, module = "virote._virote")]
@@ -93,16 +98,6 @@ impl Held {
     }
 }
 
-/// A function of each of some places, while other threads of Python run.
-fn over<P: Sync, R: Send>(
-    py: Python<'_>,
-    places: &[P],
-    f: impl Fn(&P) -> Result<R, GeomError> + Send,
-) -> PyResult<Vec<R>> {
-    let found: Result<Vec<R>, GeomError> = py.detach(|| places.iter().map(f).collect());
-    found.map_err(|err| geom_error(py, err))
-}
-
 #[pymethods]
 impl Held {
     /// The kind of value, in the words of the language.
@@ -123,11 +118,20 @@ impl Held {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let curve = self.curve()?;
         let parameters = inside(curve.domain(), "t", &t)?;
-        let points = match curve {
-            Curve::Nurbs(curve) => py.detach(|| curve.evaluator().points_at(&parameters)),
-            Curve::Parametric(curve) => over(py, &parameters, |&t| curve.point_at(t))?,
+        let flat = match curve {
+            Curve::Nurbs(curve) => {
+                let evaluator = py.detach(|| curve.evaluator());
+                flat_array(py, parameters.len(), 3, |range, flat| {
+                    evaluator.each_point(&parameters[range], |point| add(flat, point));
+                    Ok(())
+                })?
+            }
+            Curve::Parametric(curve) => each_flat(py, &parameters, 3, |&t, flat| {
+                add(flat, curve.point_at(t)?);
+                Ok(())
+            })?,
         };
-        points_array(py, &points)
+        array2(py, parameters.len(), 3, flat)
     }
 
     /// Point and derivatives of a curve: a row for each parameter, three columns for each order.
@@ -139,9 +143,12 @@ impl Held {
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let curve = self.curve()?;
         let parameters = inside(curve.domain(), "t", &t)?;
-        let all = over(py, &parameters, |&t| curve.derivatives_at(t, order))?;
-        let flat = all.iter().flatten().flat_map(|vector| vector.to_array()).collect();
-        array2(py, parameters.len(), 3 * (order + 1), flat)
+        let n_each = 3 * (order + 1);
+        let flat = each_flat(py, &parameters, n_each, |&t, flat| {
+            curve.derivatives_at(t, order)?.into_iter().for_each(|vector| add(flat, vector));
+            Ok(())
+        })?;
+        array2(py, parameters.len(), n_each, flat)
     }
 
     /// Points of a surface.
@@ -152,15 +159,20 @@ impl Held {
         v: Parameters<'py>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let pairs = self.pairs(&u, &v)?;
-        let points = match self.surface()? {
-            Surface::Nurbs(surface) => py.detach(|| {
-                let mut points = Vec::with_capacity(pairs.len());
-                surface.evaluator().each_point(&pairs, |point| points.push(point));
-                points
-            }),
-            surface => over(py, &pairs, |&[u, v]| surface.point_at(u, v))?,
+        let flat = match self.surface()? {
+            Surface::Nurbs(surface) => {
+                let evaluator = py.detach(|| surface.evaluator());
+                flat_array(py, pairs.len(), 3, |range, flat| {
+                    evaluator.each_point(&pairs[range], |point| add(flat, point));
+                    Ok(())
+                })?
+            }
+            surface => each_flat(py, &pairs, 3, |&[u, v], flat| {
+                add(flat, surface.point_at(u, v)?);
+                Ok(())
+            })?,
         };
-        points_array(py, &points)
+        array2(py, pairs.len(), 3, flat)
     }
 
     /// Derivatives of a surface up to an order: a row for each place; for each pair of orders, those
@@ -173,14 +185,15 @@ impl Held {
         order: usize,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
-        let all = over(py, &pairs, |&[u, v]| {
+        let n_each = 3 * (order + 1) * (order + 1);
+        let flat = each_flat(py, &pairs, n_each, |&[u, v], flat| {
             let grid = surface.derivatives_at(u, v, order)?;
-            let orders = (0..=order).flat_map(|i| (0..=order).map(move |j| (i, j)));
-            let vector = |(i, j)| if i + j <= order { grid.get(i, j) } else { DVec3::NAN };
-            Ok(orders.map(vector).collect::<Vec<DVec3>>())
+            for (i, j) in (0..=order).flat_map(|i| (0..=order).map(move |j| (i, j))) {
+                add(flat, if i + j <= order { grid.get(i, j) } else { DVec3::NAN });
+            }
+            Ok(())
         })?;
-        let flat = all.iter().flatten().flat_map(|vector| vector.to_array()).collect();
-        array2(py, pairs.len(), 3 * (order + 1) * (order + 1), flat)
+        array2(py, pairs.len(), n_each, flat)
     }
 
     /// Unit normals of a surface.
@@ -191,7 +204,11 @@ impl Held {
         v: Parameters<'py>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
-        points_array(py, &over(py, &pairs, |&[u, v]| surface.normal_at(u, v))?)
+        let flat = each_flat(py, &pairs, 3, |&[u, v], flat| {
+            add(flat, surface.normal_at(u, v)?);
+            Ok(())
+        })?;
+        array2(py, pairs.len(), 3, flat)
     }
 
     /// Curvatures of a surface: columns k1, k2, Gaussian and mean.
@@ -202,12 +219,24 @@ impl Held {
         v: Parameters<'py>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (pairs, surface) = (self.pairs(&u, &v)?, self.surface()?);
-        let shapes = over(py, &pairs, |&[u, v]| surface.shape_at(u, v))?;
-        let flat = shapes.iter().flat_map(|shape| {
+        let flat = each_flat(py, &pairs, 4, |&[u, v], flat| {
+            let shape = surface.shape_at(u, v)?;
             let [k1, k2] = shape.curvatures();
-            [k1, k2, shape.gaussian(), shape.mean()]
-        });
-        array2(py, shapes.len(), 4, flat.collect())
+            flat.extend([k1, k2, shape.gaussian(), shape.mean()]);
+            Ok(())
+        })?;
+        array2(py, pairs.len(), 4, flat)
+    }
+
+    /// A shaded picture in PNG; nothing where there is nothing to draw.
+    #[pyo3(signature = (size, view = None))]
+    fn picture(
+        &self,
+        py: Python<'_>,
+        size: [usize; 2],
+        view: Option<String>,
+    ) -> PyResult<Option<Vec<u8>>> {
+        picture::of_value(py, &self.value, size, view.as_deref())
     }
 
     /// What a curve, surface, mesh or table is made of, by name.

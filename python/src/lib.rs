@@ -2,13 +2,17 @@
 //!
 //! The classes that people use are written in Python (`virote/`), with their documentation and types;
 //! here is what they stand on: `session` evaluates, `convert` takes values across, `geometry` evaluates
-//! over arrays, `interrupt` lets other threads of Python run meanwhile, and Ctrl-C end it.
+//! over arrays (`blocks`), `picture` draws, `interrupt` lets other threads of Python run meanwhile, and Ctrl-C
+//! end it.
 
+mod blocks;
 mod convert;
 mod errors;
 mod geometry;
 mod interrupt;
 mod operations;
+mod picture;
+mod plan;
 mod session;
 mod study;
 
@@ -40,7 +44,8 @@ mod _virote {
         command,
         geometry::Held,
         operations::operations,
+        plan::{PlanVariants, study_plan},
         session::{Results, Session},
-        study::{read_rows, study_batch, study_plan, write_rows},
+        study::{read_rows, study_batch, write_rows},
     };
 }

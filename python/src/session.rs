@@ -1,6 +1,7 @@
 //! Sessions: scripts evaluated, built-ins called; and what came of a script.
 
 use std::{
+    io,
     path::PathBuf,
     process,
     sync::{Arc, Mutex, OnceLock, PoisonError},
@@ -16,21 +17,21 @@ use virote::{
     diag::{Diagnostic, Severity, Sources},
     disk::{OutputTarget, ScriptFiles, TargetRefusal, replace},
     eval::{Checked, Setting},
-    export::{Format, PICTURES, View, io_reason},
     kernel::Tolerance,
     limits::{Ceiling, Limits, work::StopToken},
     render,
-    session::{self, Arguments, Event, HeldValue, PictureContent, Report},
+    session::{self, Arguments, Event, HeldValue, Report},
     syntax::ast::Unit,
     value::{Function, Op, Type, Value, to_json},
 };
 
 use crate::{
     convert::{from_python, to_python},
-    errors::geo_error,
+    errors::{geo_error, write_error},
     geometry::Held,
     held,
     interrupt::interruptible,
+    picture::{self, Wanted},
 };
 
 /// A session of the library with the switch that stops it; one run at a time.
@@ -277,6 +278,20 @@ pub(crate) struct Results {
     settings: Vec<Setting>,
 }
 
+/// Why a file could not be written.
+enum WriteFailure {
+    /// The value, or a ceiling.
+    Refused(Box<Diagnostic>),
+    /// The system.
+    System(io::Error),
+}
+
+impl From<io::Error> for WriteFailure {
+    fn from(err: io::Error) -> Self {
+        Self::System(err)
+    }
+}
+
 #[pymethods]
 impl Results {
     /// Names of definitions that have a value, in the order of the script.
@@ -288,6 +303,15 @@ impl Results {
     /// The value of a definition, or nothing where there is none.
     fn value<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
         self.report.value(name).map(|held| to_python(py, &held)).transpose()
+    }
+
+    /// The unit of a definition that is a number; nothing where it has none.
+    fn unit(&self, name: &str) -> Option<String> {
+        let defined = self.report.definitions.iter().find(|defined| defined.name == name)?;
+        match defined.value.as_ref()? {
+            Value::Number(number) => number.dim.unit(self.report.document.0.name()),
+            _ => None,
+        }
     }
 
     /// The name nearest to one that is not defined.
@@ -350,32 +374,33 @@ impl Results {
             Event::File(file) => Some(file),
             _ => None,
         });
-        let files: Vec<_> = files.collect();
+        let (files, sources) = (files.collect::<Vec<_>>(), &self.report.sources);
         for file in &files {
-            OutputTarget::new(&out, &file.path, &inputs).map_err(|refusal| match refusal {
-                TargetRefusal::Forbidden(why) | TargetRefusal::System(why) => {
-                    PyOSError::new_err(why)
+            let refused = |refusal| match refusal {
+                TargetRefusal::Forbidden(why) => PyOSError::new_err(why),
+                TargetRefusal::System(why) => {
+                    write_error(py, &file.refusal(&io::Error::other(why).into()), sources, None)
                 }
-            })?;
+            };
+            OutputTarget::new(&out, &file.path, &inputs).map_err(refused)?;
         }
         let mut written = Vec::new();
         for file in files {
             let path = out.join(&file.path);
-            interruptible(py, &self.engine.stop, || {
+            let made = interruptible(py, &self.engine.stop, || {
                 let mut bytes = Vec::new();
-                file.write(&mut bytes).map_err(Err)?;
+                file.write(&mut bytes).map_err(WriteFailure::Refused)?;
                 let folder = path.parent().unwrap_or(&out);
-                let place = || {
-                    std::fs::create_dir_all(folder)?;
-                    replace(&path, None, |out| out.write_all(&bytes))
-                };
-                place().map_err(|err| {
-                    Ok(format!("cannot write `{}`: {}", path.display(), io_reason(&err)))
-                })
-            })?
-            .map_err(|why: Result<String, Box<Diagnostic>>| match why {
-                Ok(message) => PyOSError::new_err(message),
-                Err(found) => geo_error(py, &found, &self.report.sources),
+                std::fs::create_dir_all(folder)?;
+                replace(&path, None, |out| out.write_all(&bytes))?;
+                Ok(())
+            })?;
+            made.map_err(|failure| match failure {
+                WriteFailure::Refused(found) => geo_error(py, &found, sources),
+                WriteFailure::System(err) => {
+                    let number = err.raw_os_error();
+                    write_error(py, &file.refusal(&err.into()), sources, number)
+                }
             })?;
             written.push(path);
         }
@@ -390,27 +415,9 @@ impl Results {
         view: Option<String>,
         only: Vec<String>,
     ) -> PyResult<Vec<u8>> {
-        let mut content = PictureContent { only: &only, ..PictureContent::new(size) };
-        if let Some(name) = view {
-            let view = View::from_name(&name);
-            let names: Vec<&str> = View::ALL.iter().map(|&(name, _)| name).collect();
-            let wrong = || format!("there is no view `{name}`; views are {}", names.join(", "));
-            content.options.viewpoint.view =
-                Some(view.ok_or_else(|| PyValueError::new_err(wrong()))?);
-        }
-        let most = self.engine.session.limits().picture_pixels;
-        if size.contains(&0) || most < size[0].saturating_mul(size[1]) {
-            return Err(PyValueError::new_err(format!("a picture has from 1 to {most} pixels")));
-        }
-        let format = Format::among(PICTURES, "a.png");
-        let format = format.ok_or_else(|| PyValueError::new_err("there is no PNG"))?;
-        let drawn = interruptible(py, &self.engine.stop, || {
-            let job = self.engine.session.picture(&self.report, &content, format)?;
-            let mut bytes = Vec::new();
-            (format.write)(&job, &mut bytes).map_err(|err| err.reason())?;
-            Ok(bytes)
-        })?;
-        drawn.map_err(|message: String| PyValueError::new_err(message))
+        let engine = &self.engine;
+        let wanted = Wanted { size, view: view.as_deref(), only: &only };
+        picture::draw(py, &engine.session, &engine.stop, &self.report, wanted)
     }
 
     /// The page of the viewer with this model, which asks nobody; nothing where there is none.

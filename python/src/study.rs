@@ -1,4 +1,4 @@
-//! Batches of studies: plans read, variants evaluated, rows written and read.
+//! Batches of studies: variants evaluated, rows written and read.
 
 use std::{
     cell::Cell,
@@ -19,13 +19,15 @@ use virote::{
     limits::work::StopToken,
     session,
     study::{
-        Evaluation, Plan, ResultColumns, ResultFormat, Row, RowMaker, Variant, VariedParameter,
-        in_order, read_results, write_results,
+        Evaluation, ResultColumns, ResultFormat, Row, RowMaker, Variant, in_order, read_results,
+        write_results,
     },
     value::Files,
 };
 
-use crate::{held, interrupt::interruptible, session::limits};
+use crate::{
+    errors::os_error, held, interrupt::interruptible, plan::PlainVariant, session::limits,
+};
 
 /// Files that came with a batch; none where it is known that there is none.
 #[derive(Debug)]
@@ -52,8 +54,8 @@ impl Files for ShippedFiles {
     }
 }
 
-/// Variants as they come from Python: number, id as JSON, and values for parameters.
-type Variants = Vec<(u64, String, Vec<(String, String)>)>;
+/// Variants as they come from Python.
+type Variants = Vec<PlainVariant>;
 
 fn settings(given: &[(String, String)]) -> Vec<Setting> {
     let setting = |(name, text): &(String, String)| Setting {
@@ -124,62 +126,42 @@ pub(crate) fn study_batch(
     }
 }
 
-/// The variants of a plan in a file, or of a grid `NAME=VALUES`, checked against the script: each with
-/// its number, its id as JSON, and the values of parameters; and a sum that changes with them.
+/// Writes rows, each a JSON object, into a file whose ending chooses the format. They are asked for twice,
+/// and not held.
 #[pyfunction]
-pub(crate) fn study_plan(
-    name: &str,
-    text: &[u8],
-    folder: PathBuf,
-    plan: Option<PathBuf>,
-    vary: Vec<String>,
-) -> PyResult<(Variants, String)> {
-    let wrong = PyValueError::new_err::<String>;
-    let session = session::Session::default();
-    let files = virote::disk::ScriptFiles::new(&folder);
-    let schema = session.parameters(name, text, &files).map_err(|report| {
-        let first = report.diagnostics.first().map(|found| found.message.clone());
-        wrong(format!("{name}: {}", first.unwrap_or_default()))
-    })?;
-    let mut plan = match plan {
-        Some(path) => Plan::file(&path).map_err(wrong)?,
-        None => {
-            let varied = vary.iter().map(|text| VariedParameter::read(text));
-            Plan::grid(&varied.collect::<Result<Vec<_>, _>>().map_err(wrong)?).map_err(wrong)?
-        }
-    };
-    let (_, sum) = plan.check(&schema).map_err(wrong)?;
-    let variants = plan.variants().map(|variant| {
-        let variant = variant.map_err(wrong)?;
-        let values = variant.settings.into_iter().map(|setting| (setting.name, setting.text));
-        Ok((variant.number, variant.id.to_string(), values.collect()))
-    });
-    Ok((variants.collect::<PyResult<_>>()?, sum))
-}
-
-/// Writes rows, each a JSON object, into a file whose ending chooses the format.
-#[pyfunction]
-pub(crate) fn write_rows(path: PathBuf, rows: Vec<String>) -> PyResult<()> {
+pub(crate) fn write_rows(path: PathBuf, rows: &Bound<'_, PyAny>) -> PyResult<()> {
     let format = ResultFormat::of(&path).map_err(PyValueError::new_err)?;
-    let row = |text: &String| -> Result<Row, String> {
-        match serde_json::from_str(text) {
-            Ok(Json::Object(row)) => Ok(row),
-            _ => Err(format!("`{text}` is no row")),
-        }
-    };
     let mut columns = ResultColumns::default();
-    for text in &rows {
-        columns.add(&row(text).map_err(PyValueError::new_err)?);
+    for text in rows.try_iter()? {
+        columns.add(&row(&text?)?);
     }
-    let all = Cell::new(Some(rows.iter().map(row)));
-    let write = |out: &mut dyn std::io::Write| match all.take() {
+    // What Python raises goes past the writer.
+    let raised = Cell::new(None);
+    let again = rows.try_iter()?.map(|text| {
+        text.and_then(|text| row(&text)).map_err(|err| {
+            let told = err.to_string();
+            raised.set(Some(err));
+            told
+        })
+    });
+    let again = Cell::new(Some(again));
+    let write = |out: &mut dyn std::io::Write| match again.take() {
         Some(rows) => write_results(format, &columns, rows, out),
         None => Ok(()),
     };
     virote::disk::replace(&path, None, write).map_err(|err| {
-        let why = virote::export::io_reason(&err);
-        PyOSError::new_err(format!("cannot write `{}`: {why}", path.display()))
+        raised
+            .take()
+            .unwrap_or_else(|| os_error(&err, &format!("cannot write `{}`", path.display())))
     })
+}
+
+fn row(text: &Bound<'_, PyAny>) -> PyResult<Row> {
+    let text: &str = text.extract()?;
+    match serde_json::from_str(text) {
+        Ok(Json::Object(row)) => Ok(row),
+        _ => Err(PyValueError::new_err(format!("`{text}` is no row"))),
+    }
 }
 
 /// The rows of a Parquet file, each a JSON object.

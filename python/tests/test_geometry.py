@@ -46,7 +46,7 @@ def test_a_curve_tells_what_it_is_made_of() -> None:
     assert c.knots.tolist() == [0, 0, 0, 1, 1, 1]
     assert c.control_points.tolist() == [[0, 0, 0], [1, 1, 0], [2, 0, 0]]
     assert c.weights.tolist() == [1, 2, 1]
-    with pytest.raises(ValueError, match="rational"):
+    with pytest.raises(ValueError, match=r"to_scipy\(homogeneous=True\)"):
         c.to_scipy()
 
 
@@ -59,6 +59,59 @@ def test_scipy_has_the_same_curve_and_surface() -> None:
     s = virote.bspline(grid, degree=3)
     u, v = np.meshgrid(t, t, indexing="ij")
     assert np.allclose(s(u, v), s.to_scipy()(np.stack([u, v], axis=-1)), atol=1e-12)
+
+
+def test_scipy_has_the_homogeneous_spline_of_what_has_weights() -> None:
+    pytest.importorskip("scipy")
+    t = np.linspace(0, 1, 50)
+    circle = virote.circle((1, 2), 3)
+    h = circle.to_scipy(homogeneous=True)(t)
+    assert h.shape == (50, 4)
+    assert np.allclose(h[:, :3] / h[:, 3:], circle(t), atol=1e-14)
+    ball = virote.sphere((0, 0), 2)
+    with pytest.raises(ValueError, match="this surface has weights"):
+        ball.to_scipy()
+    u, v = np.meshgrid(t, t, indexing="ij")
+    h = ball.to_scipy(homogeneous=True)(np.stack([u, v], axis=-1))
+    assert np.allclose(h[..., :3] / h[..., 3:], ball(u, v), atol=1e-14)
+    line = virote.line((0, 0), (1, 2))
+    assert line.to_scipy(homogeneous=True)(0.5).tolist() == [0.5, 1, 0, 1]
+
+
+def test_a_notebook_shows_geometry_and_tables() -> None:
+    import base64
+
+    ball = virote.sphere((0, 0), 2)
+    shown = {
+        "curve": virote.circle((0, 0), 2),
+        "parametric": virote.parametric("t => (cos(t), sin(t))", (0, 6)),
+        "surface": ball,
+        "region": virote.region(virote.circle((0, 0), 2)),
+        "mesh": ball.tessellate(tolerance=0.1),
+        "solid": virote.solid([ball]),
+        "face": virote.solid([ball]).faces[0],
+    }
+    for kind, value in shown.items():
+        bundle = value._repr_mimebundle_()
+        assert bundle["text/plain"].startswith("<virote."), kind
+        assert base64.b64decode(bundle["image/png"]).startswith(b"\x89PNG"), kind
+    picture = ball.picture(size=(80, 60), view="front")
+    assert picture[16:24] == (80).to_bytes(4, "big") + (60).to_bytes(4, "big")
+    with pytest.raises(ValueError, match="no view `inside`"):
+        ball.picture(view="inside")
+    with pytest.raises(ValueError, match="pixels"):
+        ball.picture(size=(0, 60))
+    plane = virote.plane((0, 0), (0, 0, 1))
+    assert list(plane._repr_mimebundle_()) == ["text/plain"]
+    with pytest.raises(ValueError, match="nothing that can be drawn"):
+        plane.picture()
+    text = 'table t = table({x: [for i in 0..<60: i * 0.1mm], who: [for i in 0..<60: "<{i}>"]})'
+    table = virote.Session().run_text(text)["t"]
+    bundle = table._repr_mimebundle_()
+    assert "<th>x [mm]</th><th>who</th>" in bundle["text/html"]
+    assert "<td>0.3</td><td>&lt;3&gt;</td>" in bundle["text/html"]
+    assert bundle["text/html"].count("<tr>") == 1 + 50 + 1 and "60 rows × 2 columns" in bundle["text/html"]
+    assert bundle["text/plain"].startswith("x [mm]\twho\n0\t<0>\n")
 
 
 def test_a_surface_evaluates_over_arrays() -> None:
@@ -187,5 +240,18 @@ def test_warnings_are_warnings() -> None:
 
 def test_a_million_parameters_are_one_call() -> None:
     c = virote.interpolate([(0, 0), (1, 2), (3, 1), (4, 4), (6, 0)])
-    points = c(np.linspace(0, 1, 1_000_000))
+    t = np.linspace(0, 1, 1_000_000)
+    points = c(t)
     assert points.shape == (1_000_000, 3) and points.flags.c_contiguous
+    # The same bits, in whatever company a parameter is.
+    at = np.arange(0, 1_000_000, 9973)
+    assert (c(t[at]) == points[at]).all() and all((c(t[i]) == points[i]).all() for i in at[:20])
+    s = virote.bspline([[(i, j, i * j % 3) for j in range(5)] for i in range(6)], degree=3)
+    u = np.linspace(0, 1, 2000)
+    assert (s(u, u[::-1])[at % 2000] == s(u[at % 2000], u[::-1][at % 2000])).all()
+
+
+def test_lists_of_numbers_and_points_are_arrays_also_without_any() -> None:
+    line = virote.line((0, 0), (1, 0))
+    assert virote.inflections(line).shape == (0,) and virote.linspace(0, 1, 3).shape == (3,)
+    assert virote.sample(line, 3).shape == (3, 3)

@@ -120,6 +120,29 @@ def test_a_component_refuses_what_the_script_refuses() -> None:
         problem.run_model()
 
 
+def test_outputs_have_the_units_of_their_definitions(tmp_path: Path) -> None:
+    om = pytest.importorskip("openmdao.api")
+    script = tmp_path / "a.geo"
+    script.write_text(
+        "param a = 2cm in 1cm..3cm\nlet area = a^2\nlet bend = 1 / a\nlet turned = 0.5turn\nlet bare = a / 1mm\n"
+        "let root = sqrt(a)\n"
+    )
+    outputs = ["area", "bend", "turned", "bare", "root"]
+    component = optimize.Component(script=script, inputs=["a"], outputs=outputs)
+    problem = om.Problem(reports=False)
+    problem.model.add_subsystem("part", component, promotes=["*"])
+    problem.setup()
+    problem.run_model()
+    assert problem.get_val("area", units="cm**2")[0] == pytest.approx(4)
+    assert problem.get_val("bend", units="1/m")[0] == pytest.approx(50)
+    assert problem.get_val("turned", units="deg")[0] == pytest.approx(180)
+    assert problem.get_val("bare")[0] == 20
+    for name in ("bare", "root"):
+        # What has no unit, or none that OpenMDAO knows.
+        with pytest.raises((TypeError, ValueError), match="units"):
+            problem.get_val(name, units="mm")
+
+
 def test_the_notebook_runs_and_shows_the_bottle() -> None:
     nbformat = pytest.importorskip("nbformat")
     nbclient = pytest.importorskip("nbclient")

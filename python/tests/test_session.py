@@ -121,6 +121,16 @@ def test_a_notebook_shows_the_picture_and_the_page(wing: Path) -> None:
     assert "area" in virote.Session().run_text("let area = 2")._repr_mimebundle_()["text/html"]
 
 
+def test_numbers_have_units(wing: Path) -> None:
+    text = "let a = 2cm^2  let b = 30deg  let c = 1 / 2mm  let d = 3  let e = 1m * 1rad  let s = \"x\""
+    results = virote.Session().run_text(text)
+    units = {name: results.unit(name) for name in results}
+    assert units == {"a": "mm^2", "b": "rad", "c": "mm^-1", "d": None, "e": "mm·rad", "s": None}
+    assert results["a"] == 200
+    with pytest.raises(KeyError, match="defines no 'f'"):
+        results.unit("f")
+
+
 def test_pictures_are_as_asked(wing: Path) -> None:
     results = virote.run(wing)
     picture = results.picture(size=(80, 60), view="front", only=["edge"])
@@ -186,16 +196,38 @@ def test_other_threads_run_meanwhile_and_share_a_session() -> None:
     assert counted > 100, "the lock of the interpreter was not released"
 
 
-def test_ctrl_c_ends_a_run() -> None:
-    program = f"import virote\nprint('ready', flush=True)\nvirote.Session().run_text({ENDLESS!r})"
+EVALUATING = """
+import numpy as np
+c = virote.parametric("t => (sum([for i in 0..<200: i * t]), 0)", (0, 1))
+t = np.linspace(0, 1, 10_000_000)
+print("ready", flush=True)
+c(t)
+"""
+
+MESHING = """
+net = [[(i, j, i * j % 3) for j in range(9)] for i in range(9)]
+s = virote.bspline(net, degree=3)
+print("ready", flush=True)
+for _ in range(100):
+    s.tessellate(tolerance=2e-6)
+"""
+
+
+@pytest.mark.parametrize(
+    "work", [f"print('ready', flush=True)\nvirote.Session().run_text({ENDLESS!r})", EVALUATING, MESHING]
+)
+def test_ctrl_c_ends_work_at_once(work: str) -> None:
+    program = f"import virote\n{work}"
     with subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE
     ) as child:
         assert child.stdout is not None and child.stdout.readline() == b"ready\n"
         time.sleep(0.5)
+        begin = time.perf_counter()
         child.send_signal(signal.SIGINT)
         _, err = child.communicate(timeout=60)
     assert b"KeyboardInterrupt" in err
+    assert time.perf_counter() - begin < 10
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the system does not fork")
@@ -228,5 +260,54 @@ def test_the_command_comes_along() -> None:
 
 
 def test_import_is_quick() -> None:
-    program = "import sys, virote; sys.exit('numpy' in sys.modules or 'pandas' in sys.modules)"
+    # `site` may have loaded some of these before.
+    program = """
+import sys
+before = set(sys.modules)
+import virote
+heavy = {"numpy", "pandas", "typing", "json", "dataclasses", "inspect", "pathlib", "re"}
+print(*sorted(heavy & (set(sys.modules) - before)))
+virote.Session
+print(*sorted({"numpy", "typing", "json"} & (set(sys.modules) - before)))
+"""
+    told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert told.stdout.split() == []
+
+
+def test_names_are_there_before_they_are_asked_for() -> None:
+    program = """
+from virote import *
+import virote
+assert circle is virote.circle and Session is virote.Session and max([1, 2]) == 2
+assert set(virote.__all__) <= set(dir(virote)) and "max" not in virote.__all__
+assert virote.max([1, 2, 3]) == 3 and virote.__version__
+for name in virote.__all__:
+    assert getattr(virote, name) is not None
+try:
+    virote.nothing
+except AttributeError as err:
+    assert "'nothing'" in str(err)
+"""
     assert subprocess.run([sys.executable, "-c", program]).returncode == 0
+
+
+def test_a_file_that_cannot_be_written_is_told_with_code_and_number(tmp_path: Path) -> None:
+    resource = pytest.importorskip("resource")
+    script = 'surface s = sphere((0, 0), 1m)\nexport s to "a.stl" with (tolerance = 1mm)\n'
+    # A file may have no more bytes than this, as if the disk were full.
+    program = f"""
+import errno, resource, virote
+results = virote.Session().run_text({script!r})
+resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
+try:
+    results.write({str(tmp_path)!r})
+except virote.WriteError as err:
+    assert isinstance(err, virote.GeoError) and isinstance(err, OSError)
+    assert err.code == "E0706" and err.errno == errno.EFBIG, (err.code, err.errno)
+    assert err.places[0].line == 2 and "cannot write `a.stl`" in str(err) and err.render()
+else:
+    raise SystemExit("it was written")
+"""
+    assert resource.RLIMIT_FSIZE is not None
+    assert subprocess.run([sys.executable, "-c", program]).returncode == 0
+    assert list(tmp_path.iterdir()) == [], "half a file is left"

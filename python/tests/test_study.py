@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -135,6 +136,58 @@ def test_parts_are_kept_and_files_written(script: Path, tmp_path: Path) -> None:
         again.column("nothing")
 
 
+def test_a_plan_may_be_given_row_by_row(script: Path, tmp_path: Path) -> None:
+    rows = ({"n": n, "width": "2mm"} for n in range(3000))
+    out = tmp_path / "out"
+    results = virote.study(script, rows, out=out, client=ThreadPoolExecutor(2), progress=False)
+    assert len(results) == 3000 and results[-1]["double"] == 2 * 2999 and results[7]["double"] == 14
+    assert results[2990:].column("id") == list(range(2991, 3001))
+    with pytest.raises(IndexError):
+        results[3000]
+    # What is missing is done, and nothing else.
+    parts = sorted(out.glob("part-*.parquet"))
+    parts[1].unlink()
+    stamps = {part: part.stat().st_mtime_ns for part in parts if part != parts[1]}
+    rows = ({"n": n, "width": "2mm"} for n in range(3000))
+    again = virote.study(script, rows, out=out, client=ThreadPoolExecutor(2), progress=False)
+    assert again.column("double") == [2.0 * n for n in range(3000)]
+    assert {part: part.stat().st_mtime_ns for part in stamps} == stamps
+    again.write(tmp_path / "all.csv")
+    assert len((tmp_path / "all.csv").read_text().splitlines()) == 3001
+
+
+PEAK = """
+import json, resource, sys, tracemalloc
+from concurrent.futures import Future
+from virote import _pools, _rows, _study
+
+class Quick:
+    # As a worker that takes no time.
+    _max_workers = 1
+    def submit(self, evaluate, task, variants):
+        done = Future()
+        done.set_result(([json.dumps({"id": n, "a": 1.5}) for n, _, _ in variants], [], 0.01))
+        return done
+
+if __name__ == "__main__":
+    out, n = sys.argv[1], int(sys.argv[2])
+    rows = ({"a": i} for i in range(n))
+    results = _study.study(sys.argv[3], rows, out=out, client=Quick(), progress=False)
+    assert len(results) == n and results[n - 1]["id"] == n
+    print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is told as Linux does")
+def test_memory_does_not_grow_with_the_plan(script: Path, tmp_path: Path) -> None:
+    script.write_text("param a = 1")
+    peaks = []
+    for n in (20_000, 200_000):
+        command = [sys.executable, "-c", PEAK, tmp_path / str(n), str(n), script]
+        peaks.append(int(subprocess.run(command, capture_output=True, check=True, text=True).stdout))
+    assert peaks[1] < peaks[0] + 40_000, peaks
+
+
 def test_pandas_reads_the_parts(script: Path, tmp_path: Path) -> None:
     pd = pytest.importorskip("pandas")
     pytest.importorskip("pyarrow")
@@ -185,6 +238,15 @@ def test_a_variant_that_kills_its_worker_is_found(
     assert others == [2.0 * n for n in range(30) if n != 13]
 
 
+def test_processes_that_cannot_begin_are_told(script: Path, tmp_path: Path) -> None:
+    program = tmp_path / "main.py"
+    # Without a look at `__name__` each process would begin a study of its own.
+    program.write_text(f"import virote\nvirote.study({str(script)!r}, [{{'n': n}} for n in range(99)], workers=2)\n")
+    told = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=60)
+    assert told.returncode == 1
+    assert "StudyError: no process of the pool begins" in told.stderr
+
+
 SLOW = "param n = 1\nlet double = 2 * n\nlet slow = sum([for i in 0..<20000: (i * n) % 7])\n"
 
 
@@ -205,6 +267,71 @@ if __name__ == "__main__":
             os.killpg(child.pid, signal.SIGKILL)
     results = virote.study(script, virote.grid(n=range(400)), out=out, workers=1, progress=False)
     assert results.column("double") == [2.0 * n for n in range(400)]
+
+
+ENDLESS = "param n = 1\nlet slow = sum([for i in 0..<9000000, j in 0..<9: i * j * n])\n"
+
+
+def alive(group: int) -> list[str]:
+    """The processes of a group that have not ended."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _, of = path.read_text().rpartition(")")[2].split()[:3]
+            if int(of) == group and state != "Z":
+                found.append(path.with_name("cmdline").read_text().replace("\0", " "))
+        except OSError:
+            continue
+    return found
+
+
+def wait_for(is_so: Callable[[], object]) -> None:
+    end = time.monotonic() + 60
+    while not is_so():
+        assert time.monotonic() < end
+        time.sleep(0.02)
+
+
+@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are looked up as Linux has them")
+@pytest.mark.parametrize("ended_by", ["interrupt", "ctrl-c", "kill"])
+@pytest.mark.parametrize("text", [SLOW, ENDLESS])
+def test_ctrl_c_ends_a_study_and_its_workers(
+    script: Path, tmp_path: Path, text: str, ended_by: str
+) -> None:
+    script.write_text(text)
+    out = tmp_path / "out"
+    program = tmp_path / "main.py"
+    program.write_text(f"""
+import virote
+if __name__ == "__main__":
+    virote.study({str(script)!r}, virote.grid(n=range(1, 2001)), out={str(out)!r}, workers=2)
+""")
+    with subprocess.Popen(
+        [sys.executable, program], start_new_session=True, stderr=subprocess.PIPE
+    ) as child:
+        if text == SLOW:
+            wait_for(lambda: 2 < len(list(out.glob("part-*.parquet"))))
+        else:
+            # The program, two workers, and what looks after their semaphores.
+            wait_for(lambda: 4 <= len(alive(child.pid)))
+            time.sleep(1)
+        if ended_by == "interrupt":
+            # As a notebook does, or `kill -INT`.
+            child.send_signal(signal.SIGINT)
+        elif ended_by == "ctrl-c":
+            # As a terminal does: all processes get it.
+            os.killpg(child.pid, signal.SIGINT)
+        else:
+            child.kill()
+        _, told = child.communicate(timeout=20)
+    wait_for(lambda: not alive(child.pid))
+    if ended_by != "kill":
+        assert told.count(b"Traceback") == 1 and told.endswith(b"KeyboardInterrupt\n"), told.decode()
+    if text == SLOW:
+        kept = {part.name: part.stat().st_mtime_ns for part in out.glob("part-*.parquet")}
+        results = virote.study(script, virote.grid(n=range(1, 2001)), out=out, workers=2, progress=False)
+        assert results.column("double") == [2.0 * n for n in range(1, 2001)]
+        assert {name: (out / name).stat().st_mtime_ns for name in kept} == kept, "finished rows stay"
 
 
 def test_a_dask_cluster_loses_a_worker_and_no_row(script: Path, tmp_path: Path) -> None:

@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from ._results import Results
 
-__all__ = ["Check", "CheckFailed", "Diagnostic", "GeoError", "GeoWarning", "Place", "Print"]
+__all__ = [
+    "Check",
+    "CheckFailed",
+    "Diagnostic",
+    "GeoError",
+    "GeoWarning",
+    "Place",
+    "Print",
+    "WriteError",
+]
 
 
 class Place(NamedTuple):
@@ -131,6 +139,17 @@ class GeoError(Exception):
         return "\n".join([f"[{self.code}] {self.message}{where}", *self.hints])
 
 
+class WriteError(GeoError, OSError):
+    """A file that the system does not let be written; an ``OSError`` with its ``errno``, too."""
+
+    @classmethod
+    def _of_system(cls, text: str, picture: str, number: int | None) -> WriteError:
+        error = cls(_diagnostic(text, picture))
+        error.errno = number
+        error.strerror = error.message
+        return error
+
+
 def _diagnostic(text: str, picture: str) -> Diagnostic:
     import json
 
@@ -145,4 +164,6 @@ def _diagnostic(text: str, picture: str) -> Diagnostic:
 
 
 def _warn(text: str) -> None:
+    import warnings
+
     warnings.warn(text, GeoWarning, stacklevel=3)

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Union
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+    from typing import Any
+
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
     from ._virote import Held
 
     FloatArray = NDArray[np.float64]
+    #: What can be a point: two or three numbers.
+    PointLike = Sequence[str | float] | FloatArray
+    #: What can be points: an array of two or three columns, or a sequence of points.
+    PointsLike = Sequence[PointLike] | FloatArray
 
 __all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Solid", "Surface", "Table", "Value"]
 
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
-Quantity = Union[float, str]
+Quantity = float | str
 
 #: The highest order of derivatives that is told; beyond that of a curve's degree few are of use.
 _HIGHEST_ORDER = 64
+
+#: Rows of a table that a notebook shows.
+_MOST_ROWS = 50
 
 #: Bytes of derivatives that are told at a time.
 _MOST_BYTES = 1 << 32
@@ -49,9 +57,37 @@ class Value:
     def __str__(self) -> str:
         return self._held.text()
 
+    def picture(self, size: tuple[int, int] = (800, 600), view: str | None = None) -> bytes:
+        """A shaded picture in PNG, as ``virote render`` draws it.
+
+        :param view: such as ``"front"``; by default from above what is flat, and all else from a corner.
+        """
+        picture = self._held.picture(list(size), view)
+        if picture is None:
+            raise ValueError(f"a {type(self).__name__.lower()} is nothing that can be drawn")
+        return bytes(picture)
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """What a notebook shows: the picture, where there is one."""
+        bundle: dict[str, Any] = {"text/plain": repr(self)}
+        try:
+            picture = self._held.picture([800, 600])
+        except ValueError as err:
+            bundle["text/plain"] += f" (no picture: {err})"
+            return bundle
+        if picture is not None:
+            import base64
+
+            bundle["image/png"] = base64.b64encode(bytes(picture)).decode()
+        return bundle
+
     def __reduce__(self) -> Any:
         name = type(self).__name__
         raise TypeError(f"a virote.{name} cannot be pickled; send the script and its parameters")
+
+
+def _cell(value: Any) -> str:
+    return value if isinstance(value, str) else f"{float(value):.10g}"
 
 
 def _short(text: str) -> str:
@@ -82,6 +118,27 @@ def _check_order(order: int, count: int, dimensions: int) -> None:
         raise ValueError(f"an order is 0 to {_HIGHEST_ORDER}, found {order}")
     if _MOST_BYTES < 24 * count * (order + 1) ** dimensions:
         raise MemoryError(f"derivatives up to order {order} at {count} parameters take more than {_MOST_BYTES >> 30} GiB")
+
+
+def _check_weights(spline: Curve | Surface, homogeneous: bool) -> None:
+    if spline.rational and not homogeneous:
+        kind = type(spline).__name__.lower()
+        raise ValueError(
+            f"this {kind} has weights, and SciPy has no rational splines; `to_scipy(homogeneous=True)` gives the "
+            "spline of (w x, w y, w z, w), whose points divided by the last column are those of the "
+            f"{kind}"
+        )
+
+
+def _coefficients(spline: Curve | Surface, homogeneous: bool) -> FloatArray:
+    """Control points; homogeneous ones times their weight, with the weight behind them."""
+    import numpy as np
+
+    points, weights = spline.control_points, spline.weights[..., np.newaxis]
+    if not homogeneous:
+        return points
+    # Of weight zero they are directions, and kept as they are.
+    return np.concatenate([np.where(weights == 0, points, points * weights), weights], axis=-1)
 
 
 class Curve(Value):
@@ -145,13 +202,21 @@ class Curve(Value):
         """Whether the weights differ."""
         return self._part("rational")  # type: ignore[no-any-return]
 
-    def to_scipy(self) -> Any:
-        """The same curve as a ``scipy.interpolate.BSpline``; a rational one has none."""
+    def to_scipy(self, homogeneous: bool = False) -> Any:
+        """The same curve as a ``scipy.interpolate.BSpline``.
+
+        SciPy has no rational splines. Of a curve with weights, ``homogeneous=True`` gives the spline of
+        ``(w x, w y, w z, w)``, whose points divided by the last column are those of the curve:
+
+        >>> import virote
+        >>> circle = virote.circle((0, 0), 2)
+        >>> h = circle.to_scipy(homogeneous=True)(0.1)  # doctest: +SKIP
+        >>> h[:3] / h[3]  # doctest: +SKIP
+        """
         from scipy.interpolate import BSpline
 
-        if self.rational:
-            raise ValueError("SciPy has no rational curves; this one has weights")
-        return BSpline(self.knots, self.control_points, self.degree)
+        _check_weights(self, homogeneous)
+        return BSpline(self.knots, _coefficients(self, homogeneous), self.degree)
 
 
 class Surface(Value):
@@ -240,13 +305,16 @@ class Surface(Value):
         """Whether the weights differ."""
         return self._part("rational")  # type: ignore[no-any-return]
 
-    def to_scipy(self) -> Any:
-        """The same surface as a ``scipy.interpolate.NdBSpline``; a rational one has none."""
+    def to_scipy(self, homogeneous: bool = False) -> Any:
+        """The same surface as a ``scipy.interpolate.NdBSpline``.
+
+        SciPy has no rational splines. Of a surface with weights, ``homogeneous=True`` gives the spline of
+        ``(w x, w y, w z, w)``, whose points divided by the last column are those of the surface.
+        """
         from scipy.interpolate import NdBSpline
 
-        if self.rational:
-            raise ValueError("SciPy has no rational surfaces; this one has weights")
-        return NdBSpline(self.knots, self.control_points, self.degree)
+        _check_weights(self, homogeneous)
+        return NdBSpline(self.knots, _coefficients(self, homogeneous), self.degree)
 
 
 class Region(Value):
@@ -360,6 +428,26 @@ class Table(Value):
     def __iter__(self) -> Iterator[str]:
         return iter(self.columns)
 
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> dict[str, Any]:
+        """What a notebook shows: a table of the first rows, with units."""
+        import html
+        from itertools import islice
+
+        columns = self.to_dict()
+        titles = [f"{name} [{self.units[name]}]" if name in self.units else name for name in columns]
+        lines = [[_cell(cell) for cell in row] for row in islice(zip(*columns.values()), _MOST_ROWS)]
+        if _MOST_ROWS < len(self):
+            lines.append(["…"] * len(titles))
+
+        def row(cells: list[str], tag: str) -> str:
+            return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>"
+
+        body = "".join(row(cells, "td") for cells in lines)
+        count = f"{len(self)} rows × {len(titles)} columns"
+        text = f"<table><thead>{row(titles, 'th')}</thead><tbody>{body}</tbody></table><p>{count}</p>"
+        plain = "\n".join(["\t".join(cells) for cells in [titles, *lines]])
+        return {"text/plain": f"{plain}\n{count}", "text/html": text}
+
     def to_dict(self) -> dict[str, Any]:
         """Columns by name."""
         return dict(self._part("columns"))
@@ -427,12 +515,8 @@ class Function(Value):
         return default_session()._call(self._held, args, named)
 
 
-#: What can be a point: two or three numbers.
-PointLike = Union[Sequence[Quantity], "FloatArray"]
-#: What can be points: an array of two or three columns, or a sequence of points.
-PointsLike = Union[Sequence[PointLike], "FloatArray"]
 #: What can be a function: one of the language, or its text, ``"t => (t, t^2)"``.
-FunctionLike = Union[Function, str]
+FunctionLike = Function | str
 
 _CLASSES: dict[str, Callable[[Any], Value]] = {
     "curve": Curve,

@@ -5,13 +5,31 @@ from __future__ import annotations
 from typing import Any
 
 import openmdao.api as om
+from openmdao.utils.units import valid_units
 
 from ._findings import GeoError
 from ._session import Session
 from .optimize import _in_unit, _parameters
 
 #: Units of the language that OpenMDAO calls otherwise.
-_UNITS = {"in": "inch", "um": "um", "turn": "rev"}
+_UNITS = {"in": "inch", "turn": "rev"}
+
+
+def _unit(unit: str | None) -> str | None:
+    """A unit such as ``mm^2`` as OpenMDAO writes it; none where it has no such unit."""
+    if unit is None:
+        return None
+    parts = []
+    for part in unit.split("·"):
+        base, _, power = part.partition("^")
+        name = _UNITS.get(base, base)
+        parts.append(f"{name}**{power}" if power else name)
+    text = "*".join(parts)
+    try:
+        return text if valid_units(text) else None
+    except TypeError:
+        # A root of a length.
+        return None
 
 
 class Component(om.ExplicitComponent):  # type: ignore[misc]
@@ -33,15 +51,16 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
         self.options.declare("step", default=1e-6, desc="of differences, relative to the range")
 
     def setup(self) -> None:
-        """Declares inputs with their defaults and units, and outputs."""
+        """Declares inputs with their defaults and units, and outputs with theirs."""
         chosen = _parameters(self.options["script"], self.options["inputs"])
         self._varied = {one["name"]: one for one in chosen if one["range"]}
         for name, one in self._varied.items():
-            unit = one["unit"] and _UNITS.get(one["unit"], one["unit"].replace("^", "**"))
+            unit = _unit(one["unit"])
             self.add_input(name, val=float(one["default"]), units=unit, desc=one["label"] or "")
-        for name in self.options["outputs"]:
-            self.add_output(name)
         self._scripts = Session()
+        units = self._units()
+        for name in self.options["outputs"]:
+            self.add_output(name, units=units.get(name))
 
     def setup_partials(self) -> None:
         """All outputs depend on all inputs."""
@@ -63,6 +82,15 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
             right = self._answers({**at, name: behind})
             for output in self.options["outputs"]:
                 partials[output, name] = (right[output] - left[output]) / (behind - before)
+
+    def _units(self) -> dict[str, str | None]:
+        """The units of the outputs, which the script tells when it is run; none where it cannot be."""
+        try:
+            results = self._scripts.run(self.options["script"], dict(self.options["params"]))
+        except GeoError:
+            return {}
+        outputs = [name for name in self.options["outputs"] if name in results]
+        return {name: _unit(results.unit(name)) for name in outputs}
 
     def _place(self, inputs: Any) -> dict[str, float]:
         return {name: float(inputs[name][0]) for name in self._varied}

@@ -5,26 +5,30 @@ Written by ``generate.py`` from the registry of the library; not by hand.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from ._session import _called, _called_for
 
-from ._geometry import (
-    Curve,
-    Face,
-    Frame,
-    FunctionLike,
-    Mesh,
-    PointLike,
-    PointsLike,
-    Quantity,
-    Region,
-    Solid,
-    Surface,
-    Table,
-)
-from ._session import _called
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import Any, overload
 
-__all__ = [
+    from ._geometry import (
+        Curve,
+        Face,
+        FloatArray,
+        Frame,
+        FunctionLike,
+        Mesh,
+        PointLike,
+        PointsLike,
+        Quantity,
+        Region,
+        Solid,
+        Surface,
+        Table,
+    )
+
+__all__: list[str] = [
     "acos",
     "angle_between",
     "approximate",
@@ -405,7 +409,7 @@ def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
     return _called("arc_through", (), {"a": a, "b": b, "c": c})  # type: ignore[no-any-return]
 
 
-def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> Any:
+def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> float:
     """Area of a surface or face, or of several together.
 
     The integral of |Su × Sv|, to some 12 digits where the surface is smooth.
@@ -429,7 +433,7 @@ def area(*args: Any, s: Any = None, r: Any = None, m: Any = None) -> Any:
 
     In scripts: ``area(m: mesh) -> area``
     """
-    return _called("area", args, {"s": s, "r": r, "m": m})
+    return _called("area", args, {"s": s, "r": r, "m": m})  # type: ignore[no-any-return]
 
 
 def argmax(list: Any, *, by: FunctionLike | None = None) -> float:
@@ -454,7 +458,7 @@ def argmin(list: Any, *, by: FunctionLike | None = None) -> float:
     return _called("argmin", (), {"list": list, "by": by})  # type: ignore[no-any-return]
 
 
-def arrows(g: Any, field: str, *, samples: float | None = None, scale: float | None = None, head: float | None = None) -> Any:
+def arrows(g: Any, field: str, *, samples: float | None = None, scale: float | None = None, head: float | None = None) -> list[Curve]:
     """Arrows that show vectors of a curve or surface, each from its point.
 
     Along a curve `"derivative"`, `"second"` (derivative), `"tangent"`, `"normal"` and
@@ -475,7 +479,7 @@ def arrows(g: Any, field: str, *, samples: float | None = None, scale: float | N
 
     In scripts: ``arrows(g: geometry, field: "derivative" | "second" | "tangent" | "normal" | "binormal" | "tangent_u" | "tangent_v" | "twist", samples: integer = 20, scale: number = 1, head: number = 0.2) -> list of curves``
     """
-    return _called("arrows", (), {"g": g, "field": field, "samples": samples, "scale": scale, "head": head})
+    return _called("arrows", (), {"g": g, "field": field, "samples": samples, "scale": scale, "head": head})  # type: ignore[no-any-return]
 
 
 def asin(x: float) -> float:
@@ -499,7 +503,7 @@ def assert_(condition: bool, message: str) -> bool:
     return _called("assert", (), {"condition": condition, "message": message})  # type: ignore[no-any-return]
 
 
-def at(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
+def at(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None) -> FloatArray:
     """Point of a curve at a parameter; `c(t)` is the same.
 
     :param c: The curve.
@@ -514,7 +518,7 @@ def at(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v
 
     In scripts: ``at(s: surface | face, u: number, v: number) -> point``
     """
-    return _called("at", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
+    return _called("at", args, {"c": c, "t": t, "s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
 def atan(x: float) -> float:
@@ -538,7 +542,7 @@ def atan2(y: Quantity, x: Quantity) -> float:
     return _called("atan2", (), {"y": y, "x": x})  # type: ignore[no-any-return]
 
 
-def basis(c: Curve, t: float) -> Any:
+def basis(c: Curve, t: float) -> FloatArray:
     """Values at a parameter of the functions that blend a curve's control points, one a point.
 
     They sum to one. With weights they are the rational ones, so that the point of the curve
@@ -550,7 +554,7 @@ def basis(c: Curve, t: float) -> Any:
 
     In scripts: ``basis(c: curve, t: number) -> list of numbers``
     """
-    return _called("basis", (), {"c": c, "t": t})
+    return _called_for(1, "basis", (), {"c": c, "t": t})  # type: ignore[no-any-return]
 
 
 def basis_table(c: Curve, *, samples: float | None = None) -> Table:
@@ -628,7 +632,7 @@ def bilinear(p00: PointLike, p01: PointLike, p10: PointLike, p11: PointLike) -> 
     return _called("bilinear", (), {"p00": p00, "p01": p01, "p10": p10, "p11": p11})  # type: ignore[no-any-return]
 
 
-def binormal(c: Curve, t: float, *, side: str | None = None) -> Any:
+def binormal(c: Curve, t: float, *, side: str | None = None) -> FloatArray:
     """Unit binormal of a curve: tangent × principal normal, the axis that it turns about.
 
     Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry of
@@ -640,7 +644,7 @@ def binormal(c: Curve, t: float, *, side: str | None = None) -> Any:
 
     In scripts: ``binormal(c: curve, t: number, side: "right" | "left" = "right") -> point``
     """
-    return _called("binormal", (), {"c": c, "t": t, "side": side})
+    return _called("binormal", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
 def binormal_line(c: Curve, t: float, *, length: Quantity | None = None, side: str | None = None) -> Curve:
@@ -656,6 +660,15 @@ def binormal_line(c: Curve, t: float, *, length: Quantity | None = None, side: s
     In scripts: ``binormal_line(c: curve, t: number, length: length = 1, side: "right" | "left" = "right") -> curve``
     """
     return _called("binormal_line", (), {"c": c, "t": t, "length": length, "side": side})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def border(s: Surface) -> Curve: ...
+
+    @overload
+    def border(m: Mesh) -> list[Curve]: ...
 
 
 def border(*args: Any, s: Any = None, m: Any = None) -> Any:
@@ -697,7 +710,7 @@ def bounds(g: Any) -> dict[str, Any]:
     return _called("bounds", (), {"g": g})  # type: ignore[no-any-return]
 
 
-def box(corner: PointLike, size: Any) -> Any:
+def box(corner: PointLike, size: Quantity | PointLike) -> list[Surface]:
     """Six flat sides of a box along the axes, in the order lower x, upper x, lower y, upper y,
     lower z, upper z.
 
@@ -708,7 +721,7 @@ def box(corner: PointLike, size: Any) -> Any:
 
     In scripts: ``box(corner: point, size: length | point) -> list of surfaces``
     """
-    return _called("box", (), {"corner": corner, "size": size})
+    return _called("box", (), {"corner": corner, "size": size})  # type: ignore[no-any-return]
 
 
 def bspline(*args: Any, points: Any = None, degree: Any = None, knots: Any = None, closed: Any = None) -> Any:
@@ -756,7 +769,7 @@ def ceil(x: Quantity) -> float:
     return _called("ceil", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
+def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> FloatArray:
     """Centre of the osculating circle of a curve: its point plus the radius along the principal normal.
 
     Where the curve is straight there is none.
@@ -767,10 +780,10 @@ def center_of_curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
 
     In scripts: ``center_of_curvature(c: curve, t: number, side: "right" | "left" = "right") -> point``
     """
-    return _called("center_of_curvature", (), {"c": c, "t": t, "side": side})
+    return _called("center_of_curvature", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
-def centroid(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = None, m: Any = None, points: Any = None) -> Any:
+def centroid(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = None, m: Any = None, points: Any = None) -> FloatArray:
     """Centre of gravity of a face, as of a skin.
 
     :param f: The face.
@@ -810,7 +823,7 @@ def centroid(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = 
 
     In scripts: ``centroid(points: list of points) -> point``
     """
-    return _called("centroid", args, {"f": f, "s": s, "of": of, "r": r, "m": m, "points": points})
+    return _called("centroid", args, {"f": f, "s": s, "of": of, "r": r, "m": m, "points": points})  # type: ignore[no-any-return]
 
 
 def check_mesh(m: Mesh) -> dict[str, Any]:
@@ -885,7 +898,7 @@ def clamped(*args: Any, points: Any = None, degree: Any = None) -> Any:
     return _called("clamped", args, {"points": points, "degree": degree})
 
 
-def classify(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
+def classify(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None) -> str:
     """Kind of place that a parameter of a curve is.
 
     At a corner the tangent jumps, at a cusp it turns back; at an inflection it goes on and the
@@ -910,7 +923,7 @@ def classify(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = N
 
     In scripts: ``classify(s: surface | face, u: number, v: number) -> "elliptic" | "parabolic" | "hyperbolic" | "planar" | "singular"``
     """
-    return _called("classify", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
+    return _called("classify", args, {"c": c, "t": t, "s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
 def closest(*args: Any, f: Any = None, p: Any = None, c: Any = None, s: Any = None, r: Any = None) -> dict[str, Any]:
@@ -1024,7 +1037,7 @@ def conic(a: PointLike, b: PointLike, c: PointLike, weight: float) -> Curve:
     return _called("conic", (), {"a": a, "b": b, "c": c, "weight": weight})  # type: ignore[no-any-return]
 
 
-def conic_kind(c: Curve) -> Any:
+def conic_kind(c: Curve) -> str:
     """Which conic section a curve of degree 2 is; a circle is an ellipse.
 
     By the shape factor w1²/(w0·w2) of its weights: below 1 an ellipse, 1 a parabola, above 1
@@ -1034,7 +1047,7 @@ def conic_kind(c: Curve) -> Any:
 
     In scripts: ``conic_kind(c: curve) -> "ellipse" | "parabola" | "hyperbola"``
     """
-    return _called("conic_kind", (), {"c": c})
+    return _called("conic_kind", (), {"c": c})  # type: ignore[no-any-return]
 
 
 def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, s: Any = None, list: Any = None, element: Any = None, text: Any = None, part: Any = None) -> Any:
@@ -1073,6 +1086,15 @@ def contains(*args: Any, f: Any = None, p: Any = None, r: Any = None, s: Any = N
     In scripts: ``contains(text: string, part: string) -> bool``
     """
     return _called("contains", args, {"f": f, "p": p, "r": r, "s": s, "list": list, "element": element, "text": text, "part": part})
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = None) -> Curve: ...
+
+    @overload
+    def continue_bezier(s: Surface, side: str, order: float, net: Any) -> Surface: ...
 
 
 def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = None, s: Any = None, side: Any = None, net: Any = None) -> Any:
@@ -1170,7 +1192,7 @@ def continuity(*args: Any, a: Any = None, b: Any = None, tolerance: Any = None, 
     return _called("continuity", args, {"a": a, "b": b, "tolerance": tolerance, "angle": angle, "curvature_gap": curvature_gap, "edge_a": edge_a, "edge_b": edge_b})  # type: ignore[no-any-return]
 
 
-def contours(s: Surface, direction: PointLike, levels: Any) -> Any:
+def contours(s: Surface, direction: PointLike, levels: Any) -> list[Curve]:
     """Curves on a surface along which the height in a direction is one of the levels, in the order of
     the levels.
 
@@ -1184,10 +1206,10 @@ def contours(s: Surface, direction: PointLike, levels: Any) -> Any:
 
     In scripts: ``contours(s: surface, direction: point, levels: list of lengths) -> list of curves``
     """
-    return _called("contours", (), {"s": s, "direction": direction, "levels": levels})
+    return _called("contours", (), {"s": s, "direction": direction, "levels": levels})  # type: ignore[no-any-return]
 
 
-def control_net(s: Surface) -> Any:
+def control_net(s: Surface) -> list[Curve]:
     """Control net of a surface as polylines: those along u, then those along v.
 
     Points of weight zero are left out.
@@ -1196,7 +1218,7 @@ def control_net(s: Surface) -> Any:
 
     In scripts: ``control_net(s: surface) -> list of curves``
     """
-    return _called("control_net", (), {"s": s})
+    return _called("control_net", (), {"s": s})  # type: ignore[no-any-return]
 
 
 def control_polygon(c: Curve) -> Curve:
@@ -1309,6 +1331,15 @@ def corner_surface(*args: Any, points: Any = None) -> Surface:
     return _called("corner_surface", args, {"points": points})  # type: ignore[no-any-return]
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def corners(s: Surface) -> list[FloatArray]: ...
+
+    @overload
+    def corners(c: Curve) -> FloatArray: ...
+
+
 def corners(*args: Any, s: Any = None, c: Any = None) -> Any:
     """The corners of a surface, `[[p00, p01], [p10, p11]]`: the first index counts along u.
 
@@ -1327,7 +1358,7 @@ def corners(*args: Any, s: Any = None, c: Any = None) -> Any:
     return _called("corners", args, {"s": s, "c": c})
 
 
-def cos(angle: Any) -> float:
+def cos(angle: Quantity) -> float:
     """Cosine of an angle; a bare number counts as radians.
 
     :param angle: An angle, or a number of radians.
@@ -1347,7 +1378,7 @@ def cosh(x: float) -> float:
     return _called("cosh", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def cosspace(a: Quantity, b: Quantity, n: float) -> Any:
+def cosspace(a: Quantity, b: Quantity, n: float) -> FloatArray:
     """`n` numbers from `a` to `b`, both included, denser towards the ends as the cosine of equal angles: the usual stations of an aerofoil.
 
     :param a: The first number.
@@ -1356,10 +1387,10 @@ def cosspace(a: Quantity, b: Quantity, n: float) -> Any:
 
     In scripts: ``cosspace(a: number, b: number, n: integer) -> list of numbers``
     """
-    return _called("cosspace", (), {"a": a, "b": b, "n": n})
+    return _called_for(1, "cosspace", (), {"a": a, "b": b, "n": n})  # type: ignore[no-any-return]
 
 
-def cross(a: PointLike, b: PointLike) -> Any:
+def cross(a: PointLike, b: PointLike) -> FloatArray:
     """Vector product of two vectors, normal to both and right-handed.
 
     :param a: The first vector.
@@ -1367,7 +1398,7 @@ def cross(a: PointLike, b: PointLike) -> Any:
 
     In scripts: ``cross(a: point, b: point) -> point``
     """
-    return _called("cross", (), {"a": a, "b": b})
+    return _called("cross", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
 def cubic_spline(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
@@ -1385,7 +1416,7 @@ def cubic_spline(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
     return _called("cubic_spline", args, {"points": points, "tangents": tangents})  # type: ignore[no-any-return]
 
 
-def curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
+def curvature(c: Curve, t: float, *, side: str | None = None) -> float:
     """Curvature of a curve: the reciprocal of the radius of the osculating circle, never negative.
 
     |C' × C''| / |C'|³, and 0 where the curve is straight. Where the first derivative vanishes it is
@@ -1398,7 +1429,7 @@ def curvature(c: Curve, t: float, *, side: str | None = None) -> Any:
 
     In scripts: ``curvature(c: curve, t: number, side: "right" | "left" = "right") -> curvature``
     """
-    return _called("curvature", (), {"c": c, "t": t, "side": side})
+    return _called("curvature", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
 def curvature_comb(*args: Any, c: Any = None, samples: Any = None, scale: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> dict[str, Any]:
@@ -1491,7 +1522,7 @@ def curvature_table(*args: Any, c: Any = None, samples: Any = None, s: Any = Non
     return _called("curvature_table", args, {"c": c, "samples": samples, "s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def cusps(c: Curve) -> Any:
+def cusps(c: Curve) -> FloatArray:
     """Parameters where a curve turns back on itself, in order.
 
     Its derivative vanishes there and its tangent reverses, or two of its pieces meet so.
@@ -1501,10 +1532,10 @@ def cusps(c: Curve) -> Any:
 
     In scripts: ``cusps(c: curve) -> list of numbers``
     """
-    return _called("cusps", (), {"c": c})
+    return _called_for(1, "cusps", (), {"c": c})  # type: ignore[no-any-return]
 
 
-def cut(s: Solid, plane: Frame, *, keep: str | None = None) -> Any:
+def cut(s: Solid, plane: Frame, *, keep: str | None = None) -> Solid | None:
     """The part of a solid on one side of a plane, closed by plane faces; `none` where there is nothing.
 
     Above is where the plane's normal points. Its faces are the parts of the solid's faces there, then the plane ones. Where the side
@@ -1517,7 +1548,7 @@ def cut(s: Solid, plane: Frame, *, keep: str | None = None) -> Any:
 
     In scripts: ``cut(s: solid, plane: plane, keep: "below" | "above" = "below") -> solid | none``
     """
-    return _called("cut", (), {"s": s, "plane": plane, "keep": keep})
+    return _called("cut", (), {"s": s, "plane": plane, "keep": keep})  # type: ignore[no-any-return]
 
 
 def cylinder(base: PointLike, radius: Quantity, height: Quantity, *, axis: PointLike | None = None) -> Surface:
@@ -1536,6 +1567,15 @@ def cylinder(base: PointLike, radius: Quantity, height: Quantity, *, axis: Point
     In scripts: ``cylinder(base: point, radius: length, height: length, axis: point = (0, 0, 1)) -> surface``
     """
     return _called("cylinder", (), {"base": base, "radius": radius, "height": height, "axis": axis})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def de_casteljau(c: Curve, t: float) -> list[FloatArray]: ...
+
+    @overload
+    def de_casteljau(s: Surface, u: float, v: float) -> list[list[FloatArray]]: ...
 
 
 def de_casteljau(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
@@ -1566,6 +1606,15 @@ def de_casteljau(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any
     return _called("de_casteljau", args, {"c": c, "t": t, "s": s, "u": u, "v": v})
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def decompose(c: Curve) -> list[Curve]: ...
+
+    @overload
+    def decompose(s: Surface) -> list[list[Surface]]: ...
+
+
 def decompose(*args: Any, c: Any = None, s: Any = None) -> Any:
     """Bézier curves that a curve consists of, each on its own part of the domain.
 
@@ -1586,7 +1635,7 @@ def decompose(*args: Any, c: Any = None, s: Any = None) -> Any:
     return _called("decompose", args, {"c": c, "s": s})
 
 
-def derivative(*args: Any, c: Any = None, t: Any = None, order: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None, du: Any = None, dv: Any = None) -> Any:
+def derivative(*args: Any, c: Any = None, t: Any = None, order: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None, du: Any = None, dv: Any = None) -> FloatArray:
     """Derivative vector of a curve by its parameter, of any order; order 0 is the point.
 
     At a knot it is that of the piece to the right, unless the side says otherwise; at the end that
@@ -1610,7 +1659,7 @@ def derivative(*args: Any, c: Any = None, t: Any = None, order: Any = None, side
 
     In scripts: ``derivative(s: surface | face, u: number, v: number, du: integer = 1, dv: integer = 0) -> point``
     """
-    return _called("derivative", args, {"c": c, "t": t, "order": order, "side": side, "s": s, "u": u, "v": v, "du": du, "dv": dv})
+    return _called("derivative", args, {"c": c, "t": t, "order": order, "side": side, "s": s, "u": u, "v": v, "du": du, "dv": dv})  # type: ignore[no-any-return]
 
 
 def describe(g: Any) -> Any:
@@ -1641,7 +1690,7 @@ def describe(g: Any) -> Any:
     return _called("describe", (), {"g": g})
 
 
-def deviation(a: Any, b: Any) -> dict[str, Any]:
+def deviation(a: Surface | Mesh | Sequence[PointLike], b: Surface | Mesh) -> dict[str, Any]:
     """How far a surface, a mesh, or points are from a surface or a mesh: `{max, mean, at}`.
 
     Of each place the distance to the nearest of `b` counts, whatever the parameters are; `at` is
@@ -1721,7 +1770,7 @@ def distance(a: PointLike, b: PointLike) -> float:
     return _called("distance", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
-def divide(c: Curve, n: float) -> Any:
+def divide(c: Curve, n: float) -> FloatArray:
     """Points that divide a curve into `n` parts of equal length: n + 1 of them, from its start to
     its end.
 
@@ -1732,7 +1781,7 @@ def divide(c: Curve, n: float) -> Any:
 
     In scripts: ``divide(c: curve, n: integer) -> list of points``
     """
-    return _called("divide", (), {"c": c, "n": n})
+    return _called_for(3, "divide", (), {"c": c, "n": n})  # type: ignore[no-any-return]
 
 
 def dot(a: PointLike, b: PointLike) -> float:
@@ -1775,7 +1824,7 @@ def edge_surface(curves: Sequence[Curve]) -> Surface:
     return _called("edge_surface", (), {"curves": curves})  # type: ignore[no-any-return]
 
 
-def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
+def edges(*args: Any, s: Any = None, f: Any = None) -> list[Curve]:
     """The four sides of a surface as curves, `[u0, u1, v0, v1]`, each with the surface's
     parameter along it.
 
@@ -1801,10 +1850,10 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> Any:
 
     In scripts: ``edges(s: solid) -> list of curves``
     """
-    return _called("edges", args, {"s": s, "f": f})
+    return _called("edges", args, {"s": s, "f": f})  # type: ignore[no-any-return]
 
 
-def edit_points(c: Curve) -> Any:
+def edit_points(c: Curve) -> FloatArray:
     """Points of a curve at its Greville parameters.
 
     Of a curve that is not clamped only those inside its domain.
@@ -1813,7 +1862,16 @@ def edit_points(c: Curve) -> Any:
 
     In scripts: ``edit_points(c: curve) -> list of points``
     """
-    return _called("edit_points", (), {"c": c})
+    return _called_for(3, "edit_points", (), {"c": c})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def elevate(c: Curve, degree: float) -> Curve: ...
+
+    @overload
+    def elevate(s: Surface, *, u: float | None = None, v: float | None = None) -> Surface: ...
 
 
 def elevate(*args: Any, c: Any = None, degree: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
@@ -1898,7 +1956,7 @@ def extend(c: Curve, length: Quantity, *, at: str | None = None) -> Curve:
     return _called("extend", (), {"c": c, "length": length, "at": at})  # type: ignore[no-any-return]
 
 
-def extrema(c: Curve, direction: PointLike) -> Any:
+def extrema(c: Curve, direction: PointLike) -> FloatArray:
     """Parameters where a curve reaches furthest in a direction, or furthest against it, compared
     with its neighbourhood; in order.
 
@@ -1910,7 +1968,16 @@ def extrema(c: Curve, direction: PointLike) -> Any:
 
     In scripts: ``extrema(c: curve, direction: point) -> list of numbers``
     """
-    return _called("extrema", (), {"c": c, "direction": direction})
+    return _called_for(1, "extrema", (), {"c": c, "direction": direction})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def extrude(c: Curve, vector: PointLike) -> Surface: ...
+
+    @overload
+    def extrude(r: Region, vector: PointLike) -> Solid: ...
 
 
 def extrude(*args: Any, c: Any = None, vector: Any = None, r: Any = None) -> Any:
@@ -2016,7 +2083,7 @@ def first(list: Any) -> Any:
     return _called("first", (), {"list": list})
 
 
-def first_form(s: Any, u: float, v: float) -> dict[str, Any]:
+def first_form(s: Surface | Face, u: float, v: float) -> dict[str, Any]:
     """Coefficients of the first fundamental form of a surface: `E` = Su·Su, `F` = Su·Sv, `G` = Sv·Sv.
 
     They measure lengths, angles and areas on the surface. do Carmo, *Differential Geometry of Curves
@@ -2040,6 +2107,15 @@ def flatten(list: Any, depth: float | None = None) -> Any:
     In scripts: ``flatten(list: list of values, depth: integer = none) -> list of values``
     """
     return _called("flatten", (), {"list": list, "depth": depth})
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def flip(s: Surface) -> Surface: ...
+
+    @overload
+    def flip(f: Face) -> Face: ...
 
 
 def flip(*args: Any, s: Any = None, f: Any = None) -> Any:
@@ -2127,7 +2203,7 @@ def frame_of(origin: PointLike, x: PointLike, y: PointLike) -> Frame:
     return _called("frame_of", (), {"origin": origin, "x": x, "y": y})  # type: ignore[no-any-return]
 
 
-def gaussian(s: Any, u: float, v: float) -> float:
+def gaussian(s: Surface | Face, u: float, v: float) -> float:
     """Gaussian curvature of a surface: the product of the principal curvatures.
 
     (LN − M²)/(EG − F²): positive where the surface is like a dome or bowl, negative at a saddle, zero
@@ -2207,7 +2283,7 @@ def gradient(f: FunctionLike, at: Any, *, differences: bool | None = None) -> An
     return _called("gradient", (), {"f": f, "at": at, "differences": differences})
 
 
-def greville(c: Curve) -> Any:
+def greville(c: Curve) -> FloatArray:
     """Greville parameters of a curve, one a control point: means of as many consecutive knots as
     the degree says.
 
@@ -2218,7 +2294,7 @@ def greville(c: Curve) -> Any:
 
     In scripts: ``greville(c: curve) -> list of numbers``
     """
-    return _called("greville", (), {"c": c})
+    return _called_for(1, "greville", (), {"c": c})  # type: ignore[no-any-return]
 
 
 def grid_mesh(s: Surface, nu: float, nv: float, *, quads: bool | None = None) -> Mesh:
@@ -2365,7 +2441,7 @@ def inertia(*args: Any, f: Any = None, s: Any = None, of: Any = None, r: Any = N
     return _called("inertia", args, {"f": f, "s": s, "of": of, "r": r})  # type: ignore[no-any-return]
 
 
-def inflections(c: Curve) -> Any:
+def inflections(c: Curve) -> FloatArray:
     """Parameters where a curve goes over from one way of bending to the other, in order.
 
     Of a planar curve, where its signed curvature changes sign; of a curve in space, where its
@@ -2378,7 +2454,16 @@ def inflections(c: Curve) -> Any:
 
     In scripts: ``inflections(c: curve) -> list of numbers``
     """
-    return _called("inflections", (), {"c": c})
+    return _called_for(1, "inflections", (), {"c": c})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def insert_knot(c: Curve, t: float, *, times: float | None = None) -> Curve: ...
+
+    @overload
+    def insert_knot(s: Surface, *, u: float | None = None, v: float | None = None, times: float | None = None) -> Surface: ...
 
 
 def insert_knot(*args: Any, c: Any = None, t: Any = None, times: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
@@ -2478,6 +2563,18 @@ def interpolate(*args: Any, points: Any = None, degree: Any = None, parameters: 
     In scripts: ``interpolate(points: grid of points, degree: integer | record = 3, parameters: "uniform" | "chord" | "centripetal" | "foley" | list of numbers without units | record = "chord", ends: "bessel" | "natural" | "quadratic" | "clamped" | "not-a-knot" | "averaged" | record = "bessel", second_pass: "data" | "control" = "data") -> surface``
     """
     return _called("interpolate", args, {"points": points, "degree": degree, "parameters": parameters, "ends": ends, "tangents": tangents, "derivatives": derivatives, "closed": closed, "second_pass": second_pass})
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def intersect(a: Curve, b: Curve | Surface | Face) -> list[dict[str, Any]]: ...
+
+    @overload
+    def intersect(a: Surface | Face, b: Surface | Face | Curve) -> Any: ...
+
+    @overload
+    def intersect(s: Solid, c: Curve) -> list[dict[str, Any]]: ...
 
 
 def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = None) -> Any:
@@ -2634,7 +2731,7 @@ def is_straight(c: Curve) -> bool:
     return _called("is_straight", (), {"c": c})  # type: ignore[no-any-return]
 
 
-def isophotes(s: Surface, light: PointLike, angles: Any) -> Any:
+def isophotes(s: Surface, light: PointLike, angles: Any) -> list[Curve]:
     """Curves on a surface along which its normal stands at one of the angles to the light, in the
     order of the angles: lines of equal brightness of a dull surface under a distant lamp.
 
@@ -2652,7 +2749,7 @@ def isophotes(s: Surface, light: PointLike, angles: Any) -> Any:
 
     In scripts: ``isophotes(s: surface, light: point, angles: list of angles) -> list of curves``
     """
-    return _called("isophotes", (), {"s": s, "light": light, "angles": angles})
+    return _called("isophotes", (), {"s": s, "light": light, "angles": angles})  # type: ignore[no-any-return]
 
 
 def join(*args: Any, curves: Any = None, patches: Any = None, texts: Any = None, separator: Any = None) -> Any:
@@ -2706,14 +2803,14 @@ def knot_class(c: Curve) -> dict[str, Any]:
     return _called("knot_class", (), {"c": c})  # type: ignore[no-any-return]
 
 
-def knot_points(c: Curve) -> Any:
+def knot_points(c: Curve) -> FloatArray:
     """Points of a curve at its knots, each once, the ends of its domain among them.
 
     :param c: The curve.
 
     In scripts: ``knot_points(c: curve) -> list of points``
     """
-    return _called("knot_points", (), {"c": c})
+    return _called_for(3, "knot_points", (), {"c": c})  # type: ignore[no-any-return]
 
 
 def lagrange(*args: Any, points: Any = None, parameters: Any = None) -> Curve:
@@ -2779,7 +2876,7 @@ def length(*args: Any, f: Any = None, c: Any = None, range: Any = None, r: Any =
     return _called("length", args, {"f": f, "c": c, "range": range, "r": r})  # type: ignore[no-any-return]
 
 
-def lerp(a: Any, b: Any, t: float) -> Any:
+def lerp(a: Quantity | PointLike, b: Quantity | PointLike, t: float) -> Any:
     """The value at fraction `t` of the way from `a` to `b`, of numbers or points; exact at 0 and 1, and beyond them it goes on.
 
     :param a: The value at 0.
@@ -2802,7 +2899,7 @@ def line(a: PointLike, b: PointLike) -> Curve:
     return _called("line", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
-def linspace(a: Quantity, b: Quantity, n: float) -> Any:
+def linspace(a: Quantity, b: Quantity, n: float) -> FloatArray:
     """`n` numbers at equal distances from `a` to `b`, both included.
 
     :param a: The first number.
@@ -2811,7 +2908,7 @@ def linspace(a: Quantity, b: Quantity, n: float) -> Any:
 
     In scripts: ``linspace(a: number, b: number, n: integer) -> list of numbers``
     """
-    return _called("linspace", (), {"a": a, "b": b, "n": n})
+    return _called_for(1, "linspace", (), {"a": a, "b": b, "n": n})  # type: ignore[no-any-return]
 
 
 def ln(x: float) -> float:
@@ -2844,7 +2941,7 @@ def load(path: str) -> Any:
     return _called("load", (), {"path": path})
 
 
-def loft(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: Any = None, end_tangent: Any = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
+def loft(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: PointLike | Curve | None = None, end_tangent: PointLike | Curve | None = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
     """Surface through sections: u along them, v from one to the next.
 
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
@@ -2988,7 +3085,7 @@ def mesh(*args: Any, vertices: Any = None, faces: Any = None) -> Mesh:
     return _called("mesh", args, {"vertices": vertices, "faces": faces})  # type: ignore[no-any-return]
 
 
-def midpoint(a: PointLike, b: PointLike) -> Any:
+def midpoint(a: PointLike, b: PointLike) -> FloatArray:
     """The point halfway between two points.
 
     :param a: One point.
@@ -2996,7 +3093,7 @@ def midpoint(a: PointLike, b: PointLike) -> Any:
 
     In scripts: ``midpoint(a: point, b: point) -> point``
     """
-    return _called("midpoint", (), {"a": a, "b": b})
+    return _called("midpoint", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
 def min_(*args: Any, numbers: Any = None) -> float:
@@ -3058,7 +3155,7 @@ def norm(v: PointLike) -> float:
     return _called("norm", (), {"v": v})  # type: ignore[no-any-return]
 
 
-def normal(*args: Any, c: Any = None, t: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
+def normal(*args: Any, c: Any = None, t: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> FloatArray:
     """Principal unit normal of a curve: normal to the tangent, towards the centre of curvature.
 
     Where the curve is straight there is none. Frenet's frame; do Carmo, *Differential Geometry of
@@ -3079,10 +3176,10 @@ def normal(*args: Any, c: Any = None, t: Any = None, side: Any = None, s: Any = 
 
     In scripts: ``normal(s: surface | face, u: number, v: number) -> point``
     """
-    return _called("normal", args, {"c": c, "t": t, "side": side, "s": s, "u": u, "v": v})
+    return _called("normal", args, {"c": c, "t": t, "side": side, "s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def normal_curvature(s: Any, u: float, v: float, direction: PointLike) -> Any:
+def normal_curvature(s: Surface | Face, u: float, v: float, direction: PointLike) -> float:
     """Normal curvature of a surface in a direction: the curvature of its section by the plane of the
     normal and that direction.
 
@@ -3097,7 +3194,7 @@ def normal_curvature(s: Any, u: float, v: float, direction: PointLike) -> Any:
 
     In scripts: ``normal_curvature(s: surface | face, u: number, v: number, direction: point) -> curvature``
     """
-    return _called("normal_curvature", (), {"s": s, "u": u, "v": v, "direction": direction})
+    return _called("normal_curvature", (), {"s": s, "u": u, "v": v, "direction": direction})  # type: ignore[no-any-return]
 
 
 def normal_line(*args: Any, c: Any = None, t: Any = None, length: Any = None, side: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Curve:
@@ -3203,6 +3300,18 @@ def ode(f: FunctionLike, start: Any, range: tuple[Quantity, Quantity], *, tolera
     return _called("ode", (), {"f": f, "start": start, "range": range, "tolerance": tolerance})
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def offset(c: Curve, distance: Quantity, *, normal: PointLike | None = None) -> Curve: ...
+
+    @overload
+    def offset(s: Surface, distance: Quantity, tolerance: Quantity) -> Surface: ...
+
+    @overload
+    def offset(r: Region, distance: Quantity, *, corner: str | None = None) -> list[Region]: ...
+
+
 def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None, r: Any = None, corner: Any = None) -> Any:
     """Curve at a distance beside another one, to the right of it seen against the normal: a curve
     that runs counter-clockwise about the normal grows for a positive distance.
@@ -3259,7 +3368,7 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
     return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance, "r": r, "corner": corner})
 
 
-def orient(surfaces: Any) -> Any:
+def orient(surfaces: Any) -> list[Face | Surface]:
     """The surfaces and faces of a list, some of them flipped so that all that hang together face alike:
     outward where they enclose a volume, otherwise as the first of them.
 
@@ -3272,7 +3381,7 @@ def orient(surfaces: Any) -> Any:
 
     In scripts: ``orient(surfaces: list of surfaces or faces) -> list of surfaces or faces``
     """
-    return _called("orient", (), {"surfaces": surfaces})
+    return _called("orient", (), {"surfaces": surfaces})  # type: ignore[no-any-return]
 
 
 def osculating_circle(c: Curve, t: float, *, side: str | None = None) -> Curve:
@@ -3425,7 +3534,7 @@ def plane_patch(origin: PointLike, x: PointLike, y: PointLike) -> Surface:
     return _called("plane_patch", (), {"origin": origin, "x": x, "y": y})  # type: ignore[no-any-return]
 
 
-def polar(r: Quantity, angle: Quantity) -> Any:
+def polar(r: Quantity, angle: Quantity) -> FloatArray:
     """Point of the xy-plane at a distance and an angle from the origin, counter-clockwise from the x-axis.
 
     :param r: The distance.
@@ -3433,7 +3542,7 @@ def polar(r: Quantity, angle: Quantity) -> Any:
 
     In scripts: ``polar(r: length, angle: angle) -> point``
     """
-    return _called("polar", (), {"r": r, "angle": angle})
+    return _called("polar", (), {"r": r, "angle": angle})  # type: ignore[no-any-return]
 
 
 def polyline(*args: Any, points: Any = None, closed: Any = None) -> Curve:
@@ -3461,6 +3570,15 @@ def polynomial(*args: Any, coefficients: Any = None, domain: Any = None) -> Curv
     return _called("polynomial", args, {"coefficients": coefficients, "domain": domain})  # type: ignore[no-any-return]
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def power_coefficients(c: Curve) -> FloatArray: ...
+
+    @overload
+    def power_coefficients(s: Surface) -> list[FloatArray]: ...
+
+
 def power_coefficients(*args: Any, c: Any = None, s: Any = None) -> Any:
     """Coefficients of a curve of one polynomial segment, the lowest power of its parameter first.
 
@@ -3482,7 +3600,7 @@ def power_coefficients(*args: Any, c: Any = None, s: Any = None) -> Any:
     return _called("power_coefficients", args, {"c": c, "s": s})
 
 
-def principal(s: Any, u: float, v: float) -> dict[str, Any]:
+def principal(s: Surface | Face, u: float, v: float) -> dict[str, Any]:
     """Principal curvatures of a surface, `k1` ≤ `k2`, and their directions `d1`, `d2`, unit vectors of
     the tangent plane.
 
@@ -3539,7 +3657,7 @@ def radius_of_curvature(c: Curve, t: float, *, side: str | None = None) -> float
     return _called("radius_of_curvature", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
-def random(n: float, *, seed: float | None = None) -> Any:
+def random(n: float, *, seed: float | None = None) -> FloatArray:
     """`n` random numbers from 0 to 1 without 1, uniformly spread; the same on every machine for the same seed.
 
     Vigna's SplitMix64 (Steele, Lea & Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014), the upper 53 bits of each word.
@@ -3549,10 +3667,10 @@ def random(n: float, *, seed: float | None = None) -> Any:
 
     In scripts: ``random(n: integer, seed: integer = 0) -> list of numbers``
     """
-    return _called("random", (), {"n": n, "seed": seed})
+    return _called_for(1, "random", (), {"n": n, "seed": seed})  # type: ignore[no-any-return]
 
 
-def range_(a: Quantity, b: Quantity, step: Quantity) -> Any:
+def range_(a: Quantity, b: Quantity, step: Quantity) -> FloatArray:
     """Numbers from `a` towards `b` at a step; `b` is included when it is reached.
 
     Each number is a + i*step, so that no error adds up.
@@ -3563,7 +3681,7 @@ def range_(a: Quantity, b: Quantity, step: Quantity) -> Any:
 
     In scripts: ``range(a: number, b: number, step: number) -> list of numbers``
     """
-    return _called("range", (), {"a": a, "b": b, "step": step})
+    return _called_for(1, "range", (), {"a": a, "b": b, "step": step})  # type: ignore[no-any-return]
 
 
 def rectifying_plane(c: Curve, t: float, *, side: str | None = None) -> Frame:
@@ -3598,6 +3716,15 @@ def reduce(c: Curve, tolerance: Quantity, *, degree: float | None = None) -> Cur
     return _called("reduce", (), {"c": c, "tolerance": tolerance, "degree": degree})  # type: ignore[no-any-return]
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def refine(c: Curve, knots: Any) -> Curve: ...
+
+    @overload
+    def refine(s: Surface, *, u: Any = None, v: Any = None) -> Surface: ...
+
+
 def refine(*args: Any, c: Any = None, knots: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
     """The same curve with more knots; a knot that is to be there twice more is given twice.
 
@@ -3623,7 +3750,7 @@ def refine(*args: Any, c: Any = None, knots: Any = None, s: Any = None, u: Any =
     return _called("refine", args, {"c": c, "knots": knots, "s": s, "u": u, "v": v})
 
 
-def reflection_lines(s: Surface, eye: PointLike, lights: Sequence[Curve]) -> Any:
+def reflection_lines(s: Surface, eye: PointLike, lights: Sequence[Curve]) -> list[Curve]:
     """Curves on a surface where the eye sees straight lights mirrored, in the order of the lights.
 
     A light is endless: the straight line that the given one lies on. It is seen at S where the
@@ -3638,10 +3765,10 @@ def reflection_lines(s: Surface, eye: PointLike, lights: Sequence[Curve]) -> Any
 
     In scripts: ``reflection_lines(s: surface, eye: point, lights: list of curves) -> list of curves``
     """
-    return _called("reflection_lines", (), {"s": s, "eye": eye, "lights": lights})
+    return _called("reflection_lines", (), {"s": s, "eye": eye, "lights": lights})  # type: ignore[no-any-return]
 
 
-def region(outer: Any, *, holes: Any = None) -> Region:
+def region(outer: Curve | Sequence[Curve], *, holes: Any = None) -> Region:
     """What lies within a closed plane curve and outside of others, which are holes.
 
     A list of curves is joined first, as `join` does. The curves may run in either sense; seen from
@@ -3658,7 +3785,7 @@ def region(outer: Any, *, holes: Any = None) -> Region:
     return _called("region", (), {"outer": outer, "holes": holes})  # type: ignore[no-any-return]
 
 
-def regions(curves: Sequence[Curve]) -> Any:
+def regions(curves: Sequence[Curve]) -> list[Region]:
     """What an odd number of closed curves goes around, in one plane: outlines with their holes, sorted
     by what lies in what; the largest part first.
 
@@ -3668,7 +3795,7 @@ def regions(curves: Sequence[Curve]) -> Any:
 
     In scripts: ``regions(curves: list of curves) -> list of regions``
     """
-    return _called("regions", (), {"curves": curves})
+    return _called("regions", (), {"curves": curves})  # type: ignore[no-any-return]
 
 
 def remove_knot(c: Curve, t: float, tolerance: Quantity, *, times: float | None = None) -> Curve:
@@ -3686,6 +3813,15 @@ def remove_knot(c: Curve, t: float, tolerance: Quantity, *, times: float | None 
     In scripts: ``remove_knot(c: curve, t: number, tolerance: length, times: integer = 1) -> curve``
     """
     return _called("remove_knot", (), {"c": c, "t": t, "tolerance": tolerance, "times": times})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def reparametrize(c: Curve, domain: tuple[Quantity, Quantity]) -> Curve: ...
+
+    @overload
+    def reparametrize(s: Surface, *, u: tuple[Quantity, Quantity] | None = None, v: tuple[Quantity, Quantity] | None = None) -> Surface: ...
 
 
 def reparametrize(*args: Any, c: Any = None, domain: Any = None, s: Any = None, u: Any = None, v: Any = None) -> Any:
@@ -3796,6 +3932,15 @@ def reversed_(c: Curve) -> Curve:
     return _called("reversed", (), {"c": c})  # type: ignore[no-any-return]
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def revolve(c: Curve, *, axis: PointLike | None = None, about: PointLike | None = None, angle: Quantity | None = None) -> Surface: ...
+
+    @overload
+    def revolve(r: Region, *, axis: PointLike | None = None, about: PointLike | None = None, angle: Quantity | None = None) -> Solid: ...
+
+
 def revolve(*args: Any, c: Any = None, axis: Any = None, about: Any = None, angle: Any = None, r: Any = None) -> Any:
     """Surface that a curve leaves behind when it is turned about an axis.
 
@@ -3884,7 +4029,7 @@ def ruled(c0: Curve, c1: Curve) -> Surface:
     return _called("ruled", (), {"c0": c0, "c1": c1})  # type: ignore[no-any-return]
 
 
-def sample(c: Curve, n: float) -> Any:
+def sample(c: Curve, n: float) -> FloatArray:
     """Points of a curve at equal steps of its parameter, both ends included.
 
     :param c: The curve.
@@ -3892,10 +4037,10 @@ def sample(c: Curve, n: float) -> Any:
 
     In scripts: ``sample(c: curve, n: integer) -> list of points``
     """
-    return _called("sample", (), {"c": c, "n": n})
+    return _called_for(3, "sample", (), {"c": c, "n": n})  # type: ignore[no-any-return]
 
 
-def scale(g: Any, s: Any, *, about: PointLike | None = None) -> Any:
+def scale(g: Any, s: Quantity | PointLike, *, about: PointLike | None = None) -> Any:
     """Geometry made larger or smaller from a point that stays, by one factor or by one along each
     axis.
 
@@ -3920,7 +4065,7 @@ def scan(list: Any, start: Any, f: FunctionLike) -> Any:
     return _called("scan", (), {"list": list, "start": start, "f": f})
 
 
-def second_form(s: Any, u: float, v: float) -> dict[str, Any]:
+def second_form(s: Surface | Face, u: float, v: float) -> dict[str, Any]:
     """Coefficients of the second fundamental form of a surface: `L` = n·Suu, `M` = n·Suv, `N` = n·Svv,
     with the unit normal n along Su × Sv.
 
@@ -3990,7 +4135,7 @@ def section(*args: Any, g: Any = None, plane: Any = None, s: Any = None) -> Any:
     return _called("section", args, {"g": g, "plane": plane, "s": s})
 
 
-def self_intersections(c: Curve) -> Any:
+def self_intersections(c: Curve) -> list[dict[str, Any]]:
     """Every place where a curve comes within the document's tolerance of itself, as
     `[{t, s, point}]` with `t` below `s`. The seam of a closed curve is none.
 
@@ -4003,7 +4148,7 @@ def self_intersections(c: Curve) -> Any:
 
     In scripts: ``self_intersections(c: curve) -> list of records``
     """
-    return _called("self_intersections", (), {"c": c})
+    return _called("self_intersections", (), {"c": c})  # type: ignore[no-any-return]
 
 
 def sign(x: Quantity) -> float:
@@ -4016,7 +4161,7 @@ def sign(x: Quantity) -> float:
     return _called("sign", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, side: str | None = None) -> Any:
+def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, side: str | None = None) -> float:
     """Curvature of a curve with a sign: positive where it turns counter-clockwise, seen from the tip
     of the normal.
 
@@ -4031,10 +4176,10 @@ def signed_curvature(c: Curve, t: float, *, normal: PointLike | None = None, sid
 
     In scripts: ``signed_curvature(c: curve, t: number, normal: point = (0, 0, 1), side: "right" | "left" = "right") -> curvature``
     """
-    return _called("signed_curvature", (), {"c": c, "t": t, "normal": normal, "side": side})
+    return _called("signed_curvature", (), {"c": c, "t": t, "normal": normal, "side": side})  # type: ignore[no-any-return]
 
 
-def sin(angle: Any) -> float:
+def sin(angle: Quantity) -> float:
     """Sine of an angle; a bare number counts as radians.
 
     :param angle: An angle, or a number of radians.
@@ -4054,7 +4199,7 @@ def sinh(x: float) -> float:
     return _called("sinh", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: Any = None, end_tangent: Any = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
+def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: PointLike | Curve | None = None, end_tangent: PointLike | Curve | None = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
     """Surface through sections: u along them, v from one to the next.
 
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
@@ -4091,7 +4236,7 @@ def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     return _called("skin", (), {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})  # type: ignore[no-any-return]
 
 
-def solid(g: Any, *, cap: bool | None = None) -> Any:
+def solid(g: Surface | Face | Solid | Sequence[Surface | Face], *, cap: bool | None = None) -> Solid:
     """What surfaces and faces enclose that close, whichever way each of them faces.
 
     Every place of every edge lies on one other edge within the document's tolerance, as for `volume`. Surfaces that hang together are a
@@ -4105,7 +4250,7 @@ def solid(g: Any, *, cap: bool | None = None) -> Any:
 
     In scripts: ``solid(g: surface | face | solid | list of surfaces or faces, cap: bool = false) -> solid``
     """
-    return _called("solid", (), {"g": g, "cap": cap})
+    return _called("solid", (), {"g": g, "cap": cap})  # type: ignore[no-any-return]
 
 
 def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, start: Any = None, all: bool | None = None, report: bool | None = None) -> Any:
@@ -4301,7 +4446,7 @@ def swap_uv(s: Surface) -> Surface:
     return _called("swap_uv", (), {"s": s})  # type: ignore[no-any-return]
 
 
-def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Any = None, up: PointLike | None = None, rail: Any = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Surface:
+def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, rail: Curve | Sequence[Curve] | None = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Surface:
     """Surface that a section leaves behind along a path: u along the section, v along the path,
     with the path's parameter.
 
@@ -4376,7 +4521,7 @@ def table(*args: Any, columns: Any = None, rows: Any = None) -> Table:
     return _called("table", args, {"columns": columns, "rows": rows})  # type: ignore[no-any-return]
 
 
-def tan(angle: Any) -> float:
+def tan(angle: Quantity) -> float:
     """Tangent of an angle; a bare number counts as radians.
 
     :param angle: An angle, or a number of radians.
@@ -4386,7 +4531,7 @@ def tan(angle: Any) -> float:
     return _called("tan", (), {"angle": angle})  # type: ignore[no-any-return]
 
 
-def tangent(c: Curve, t: float, *, side: str | None = None) -> Any:
+def tangent(c: Curve, t: float, *, side: str | None = None) -> FloatArray:
     """Unit tangent of a curve, in the direction of growing parameter.
 
     Where the first derivative vanishes, the direction of the first one that does not. At a
@@ -4399,7 +4544,7 @@ def tangent(c: Curve, t: float, *, side: str | None = None) -> Any:
 
     In scripts: ``tangent(c: curve, t: number, side: "right" | "left" = "right") -> point``
     """
-    return _called("tangent", (), {"c": c, "t": t, "side": side})
+    return _called("tangent", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
 def tangent_line(c: Curve, t: float, *, length: Quantity | None = None, side: str | None = None) -> Curve:
@@ -4415,7 +4560,7 @@ def tangent_line(c: Curve, t: float, *, length: Quantity | None = None, side: st
     return _called("tangent_line", (), {"c": c, "t": t, "length": length, "side": side})  # type: ignore[no-any-return]
 
 
-def tangent_plane(s: Any, u: float, v: float) -> Frame:
+def tangent_plane(s: Surface | Face, u: float, v: float) -> Frame:
     """Plane that touches a surface at a place.
 
     Its x axis runs along Su and its z axis, the normal of the plane, along Su × Sv. At a pole or a
@@ -4430,7 +4575,7 @@ def tangent_plane(s: Any, u: float, v: float) -> Frame:
     return _called("tangent_plane", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def tangent_u(s: Any, u: float, v: float) -> Any:
+def tangent_u(s: Surface | Face, u: float, v: float) -> FloatArray:
     """Unit tangent of a surface along Su.
 
     On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
@@ -4442,10 +4587,10 @@ def tangent_u(s: Any, u: float, v: float) -> Any:
 
     In scripts: ``tangent_u(s: surface | face, u: number, v: number) -> point``
     """
-    return _called("tangent_u", (), {"s": s, "u": u, "v": v})
+    return _called("tangent_u", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def tangent_v(s: Any, u: float, v: float) -> Any:
+def tangent_v(s: Surface | Face, u: float, v: float) -> FloatArray:
     """Unit tangent of a surface along Sv.
 
     On an edge that is collapsed to a point, such as the pole of a sphere, it is the limit from inside
@@ -4457,7 +4602,7 @@ def tangent_v(s: Any, u: float, v: float) -> Any:
 
     In scripts: ``tangent_v(s: surface | face, u: number, v: number) -> point``
     """
-    return _called("tangent_v", (), {"s": s, "u": u, "v": v})
+    return _called("tangent_v", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
 def tanh(x: float) -> float:
@@ -4493,6 +4638,15 @@ def tessellate(g: Any, *, tolerance: Quantity | None = None, angle: Quantity | N
     In scripts: ``tessellate(g: geometry, tolerance: length = none, angle: angle = 15deg, max_edge: length = none, quads: bool = false) -> mesh``
     """
     return _called("tessellate", (), {"g": g, "tolerance": tolerance, "angle": angle, "max_edge": max_edge, "quads": quads})  # type: ignore[no-any-return]
+
+
+if TYPE_CHECKING:
+
+    @overload
+    def to_bezier(c: Curve) -> list[Curve]: ...
+
+    @overload
+    def to_bezier(s: Surface) -> list[list[Surface]]: ...
 
 
 def to_bezier(*args: Any, c: Any = None, s: Any = None) -> Any:
@@ -4561,6 +4715,15 @@ def to_hermite(c: Curve) -> dict[str, Any]:
     return _called("to_hermite", (), {"c": c})  # type: ignore[no-any-return]
 
 
+if TYPE_CHECKING:
+
+    @overload
+    def to_nurbs(s: Surface, tolerance: Quantity) -> Surface: ...
+
+    @overload
+    def to_nurbs(c: Curve, tolerance: Quantity) -> Curve: ...
+
+
 def to_nurbs(*args: Any, s: Any = None, tolerance: Any = None, c: Any = None) -> Any:
     """NURBS near a surface: of a parametric one a biquintic spline on the same domain, of which no
     point is further from the function's than a tolerance; any other surface is one already.
@@ -4590,7 +4753,7 @@ def to_nurbs(*args: Any, s: Any = None, tolerance: Any = None, c: Any = None) ->
     return _called("to_nurbs", args, {"s": s, "tolerance": tolerance, "c": c})
 
 
-def torsion(c: Curve, t: float, *, side: str | None = None) -> Any:
+def torsion(c: Curve, t: float, *, side: str | None = None) -> float:
     """Torsion of a curve: how fast its osculating plane turns about the tangent, by arc length.
 
     [C' C'' C‴] / |C' × C''|², positive for a right-handed screw and 0 for a plane curve. Where the
@@ -4602,7 +4765,7 @@ def torsion(c: Curve, t: float, *, side: str | None = None) -> Any:
 
     In scripts: ``torsion(c: curve, t: number, side: "right" | "left" = "right") -> curvature``
     """
-    return _called("torsion", (), {"c": c, "t": t, "side": side})
+    return _called("torsion", (), {"c": c, "t": t, "side": side})  # type: ignore[no-any-return]
 
 
 def torus(center: PointLike, major: Quantity, minor: Quantity, *, axis: PointLike | None = None) -> Surface:
@@ -4693,7 +4856,7 @@ def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = N
     return _called("trim", args, {"c": c, "range": range, "s": s, "u": u, "v": v, "by": by, "keep": keep})
 
 
-def twist(s: Any, u: float, v: float) -> Any:
+def twist(s: Surface | Face, u: float, v: float) -> FloatArray:
     """Twist of a surface: the vector Suv, the derivative by u and by v.
 
     Linkeová, *Curves and Surfaces for Computer Graphics*, Definition 1.28.
@@ -4704,7 +4867,7 @@ def twist(s: Any, u: float, v: float) -> Any:
 
     In scripts: ``twist(s: surface | face, u: number, v: number) -> point``
     """
-    return _called("twist", (), {"s": s, "u": u, "v": v})
+    return _called("twist", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
 def union(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
@@ -4742,14 +4905,14 @@ def unique(list: Any) -> Any:
     return _called("unique", (), {"list": list})
 
 
-def unit_vector(v: PointLike) -> Any:
+def unit_vector(v: PointLike) -> FloatArray:
     """Vector of length one in the direction of `v`.
 
     :param v: A vector that is not zero.
 
     In scripts: ``unit_vector(v: point) -> point``
     """
-    return _called("unit_vector", (), {"v": v})
+    return _called("unit_vector", (), {"v": v})  # type: ignore[no-any-return]
 
 
 def upper(text: str) -> str:
@@ -4762,7 +4925,7 @@ def upper(text: str) -> str:
     return _called("upper", (), {"text": text})  # type: ignore[no-any-return]
 
 
-def vertices(c: Curve) -> Any:
+def vertices(c: Curve) -> FloatArray:
     """Parameters where the curvature of a curve has a local extremum, in order.
 
     Of a planar curve the signed curvature counts. Ends of an open curve and corners are none, and
@@ -4775,10 +4938,10 @@ def vertices(c: Curve) -> Any:
 
     In scripts: ``vertices(c: curve) -> list of numbers``
     """
-    return _called("vertices", (), {"c": c})
+    return _called_for(1, "vertices", (), {"c": c})  # type: ignore[no-any-return]
 
 
-def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
+def volume(*args: Any, s: Any = None, m: Any = None) -> float:
     """Volume that closed surfaces enclose, or faces whose edges run together.
 
     The surfaces must close: every edge meets another one within the document's tolerance, or is
@@ -4810,10 +4973,10 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> Any:
 
     In scripts: ``volume(m: mesh | none) -> volume``
     """
-    return _called("volume", args, {"s": s, "m": m})
+    return _called("volume", args, {"s": s, "m": m})  # type: ignore[no-any-return]
 
 
-def wireframe(s: Surface, u: Any, v: Any) -> Any:
+def wireframe(s: Surface, u: Any, v: Any) -> list[Curve]:
     """Isocurves of a surface: those of constant u, which run along v, then those of constant v.
 
     A number of curves is spread evenly over the domain, both ends among them; one alone stands
@@ -4825,10 +4988,10 @@ def wireframe(s: Surface, u: Any, v: Any) -> Any:
 
     In scripts: ``wireframe(s: surface, u: integer | list of numbers without units, v: integer | list of numbers without units) -> list of curves``
     """
-    return _called("wireframe", (), {"s": s, "u": u, "v": v})
+    return _called("wireframe", (), {"s": s, "u": u, "v": v})  # type: ignore[no-any-return]
 
 
-def zebra(s: Surface, light: PointLike, *, bands: float | None = None) -> Any:
+def zebra(s: Surface, light: PointLike, *, bands: float | None = None) -> list[Curve]:
     """Curves between the stripes that a polished surface mirrors, stripe by stripe.
 
     The surface is looked at along the light, from far away, inside a tube of equal stripes: what
@@ -4846,7 +5009,7 @@ def zebra(s: Surface, light: PointLike, *, bands: float | None = None) -> Any:
 
     In scripts: ``zebra(s: surface, light: point, bands: integer = 16) -> list of curves``
     """
-    return _called("zebra", (), {"s": s, "light": light, "bands": bands})
+    return _called("zebra", (), {"s": s, "light": light, "bands": bands})  # type: ignore[no-any-return]
 
 
 def zip_(a: Any, b: Any) -> Any:

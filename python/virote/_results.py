@@ -4,19 +4,24 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
-from ._findings import Check, CheckFailed, Diagnostic, Print, _diagnostic
-from ._geometry import Mesh, Table
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
+
     from . import _virote
+    from ._findings import Check, Diagnostic, Print
+    from ._geometry import Mesh, Table
+
+    _Values = Mapping[str, Any]
+else:
+    _Values = Mapping
 
 __all__ = ["Results"]
 
 
-class Results(Mapping[str, Any]):
+class Results(_Values):
     """The values of a script by name, its checks, its prints, its files.
 
     ``results["tip"]`` is a value: numbers are floats in the document's unit and in radians, points and
@@ -53,10 +58,18 @@ class Results(Mapping[str, Any]):
     def __repr__(self) -> str:
         return f"<virote.Results of {self.script}: {', '.join(self._names)}>"
 
+    def unit(self, name: str) -> str | None:
+        """The unit of a definition that is a number, ``"mm^2"`` or ``"rad"``; ``None`` of all else."""
+        if name not in self._names:
+            self[name]  # tells what was meant
+        return self._inner.unit(name)
+
     @property
     def checks(self) -> list[Check]:
         """The claims of the script, in its order. One that fails is data: see :attr:`failed`."""
         import json
+
+        from ._findings import Check
 
         return [Check(**one) for one in json.loads(self._inner.checks())]
 
@@ -68,6 +81,8 @@ class Results(Mapping[str, Any]):
     def raise_for_checks(self) -> None:
         """Raises :class:`virote.CheckFailed` if a check does not hold."""
         if failed := self.failed:
+            from ._findings import CheckFailed
+
             raise CheckFailed(failed)
 
     @property
@@ -75,21 +90,29 @@ class Results(Mapping[str, Any]):
         """The printed lines."""
         import json
 
+        from ._findings import Print
+
         return [Print(**one) for one in json.loads(self._inner.prints())]
 
     @property
     def diagnostics(self) -> list[Diagnostic]:
         """Every finding: errors, failed checks and warnings."""
+        from ._findings import _diagnostic
+
         return [_diagnostic(text, picture) for text, picture in self._inner.findings()]
 
     @property
     def tables(self) -> dict[str, Table]:
         """The tables by name."""
+        from ._geometry import Table
+
         return {name: self[name] for name in self._names if isinstance(self[name], Table)}
 
     @property
     def meshes(self) -> dict[str, Mesh]:
         """The meshes by name."""
+        from ._geometry import Mesh
+
         return {name: self[name] for name in self._names if isinstance(self[name], Mesh)}
 
     @property
@@ -99,6 +122,8 @@ class Results(Mapping[str, Any]):
 
     def write(self, folder: str | os.PathLike[str]) -> list[Path]:
         """Writes the files that the script exports below a folder; their paths."""
+        from pathlib import Path
+
         return [Path(path) for path in self._inner.write(os.fspath(folder))]
 
     def picture(
@@ -122,6 +147,8 @@ class Results(Mapping[str, Any]):
         import base64
         import html
 
+        from ._findings import GeoError
+
         bundle: dict[str, Any] = {"text/plain": repr(self)}
         try:
             picture = self.picture()
@@ -129,7 +156,7 @@ class Results(Mapping[str, Any]):
             page = html.escape(self.page(), quote=True)
             style = "width: 100%; height: 520px; border: 0"
             bundle["text/html"] = f'<iframe srcdoc="{page}" style="{style}"></iframe>'
-        except ValueError:
+        except (GeoError, ValueError):
             # A script without geometry is a table of its names.
             rows = "".join(
                 f"<tr><td>{html.escape(name)}</td><td>{html.escape(_short(self[name]))}</td></tr>"

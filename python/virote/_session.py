@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-import json
-import math
 import os
 from collections.abc import Mapping
-from pathlib import Path
-from typing import Any, Union
 
 from . import _virote
-from ._geometry import Function
-from ._results import Results
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from pathlib import Path
+    from typing import Any
+
+    from ._geometry import Function
+    from ._results import Results
 
 __all__ = ["Session", "default_session", "function", "run"]
 
 #: What a parameter can be given: ``"12m"``, ``7``, ``True``.
-ParameterValue = Union[str, float, bool]
+ParameterValue = str | float | bool
 
 
 def setting(name: str, value: object) -> str:
@@ -33,7 +35,7 @@ def setting(name: str, value: object) -> str:
     except (TypeError, ValueError):
         kind = type(value).__name__
         raise TypeError(f"the parameter {name!r} is one number, found {kind}") from None
-    if not math.isfinite(number):
+    if number != number or number in (float("inf"), -float("inf")):
         raise ValueError(f"the parameter {name!r} is {number}; numbers are finite")
     return str(int(number)) if number.is_integer() and abs(number) < 2**53 else repr(number)
 
@@ -74,6 +76,8 @@ class Session:
         :raises GeoError: where the script has an error; ``error.results`` has what it does not touch.
         :raises KeyError: for a parameter that the script does not have.
         """
+        from pathlib import Path
+
         path = Path(script)
         return self._run(path.name, path.read_bytes(), path.parent, params)
 
@@ -84,11 +88,17 @@ class Session:
         folder: str | os.PathLike[str] = ".",
     ) -> Results:
         """Evaluates a script given as text, whose files lie in ``folder``."""
-        return self._run("<text>", text.encode(), Path(folder), params)
+        return self._run("<text>", text.encode(), folder, params)
 
     def _run(
-        self, name: str, text: bytes, folder: Path, params: Mapping[str, ParameterValue] | None
+        self,
+        name: str,
+        text: bytes,
+        folder: str | os.PathLike[str],
+        params: Mapping[str, ParameterValue] | None,
     ) -> Results:
+        from ._results import Results
+
         if params is not None and not isinstance(params, Mapping):
             raise TypeError(f"parameters are given by name, as {{'span': '12m'}}; found {type(params).__name__}")
         given = {key: setting(key, value) for key, value in (params or {}).items()}
@@ -103,6 +113,9 @@ class Session:
 
     def parameters(self, script: str | os.PathLike[str]) -> list[dict[str, Any]]:
         """The parameters of a script: name, kind, unit, default, range, step, choices, label, docs."""
+        import json
+        from pathlib import Path
+
         path = Path(script)
         text = self._inner.parameters(path.name, path.read_bytes(), os.fspath(path.parent))
         return json.loads(text)["parameters"]  # type: ignore[no-any-return]
@@ -137,6 +150,8 @@ def function(text: str) -> Function:
     >>> parabola(0.5).tolist()
     [0.5, 0.25, 0.0]
     """
+    from ._geometry import Function
+
     found = default_session().run_text(f"let f = {text}")["f"]
     if not isinstance(found, Function):
         raise TypeError(f"{text!r} is no function; write `t => (t, t^2)`")
@@ -147,3 +162,13 @@ def _called(name: str, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
     """Calls an operation; what was left out stays out."""
     given = {label: value for label, value in named.items() if value is not None}
     return default_session()._call(name, args, given)
+
+
+def _called_for(columns: int, name: str, args: tuple[Any, ...], named: dict[str, Any]) -> Any:
+    """The same of an operation that answers with numbers or points: an array also where there are none."""
+    found = _called(name, args, named)
+    if isinstance(found, list) and not found:
+        import numpy as np
+
+        return np.empty((0, columns) if 1 < columns else 0)
+    return found

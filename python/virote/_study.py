@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import sys
@@ -10,10 +9,13 @@ import tempfile
 import time
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from pathlib import Path
-from typing import Any, NamedTuple, TextIO, Union
+from typing import Any, TextIO, Union
 
 from . import _virote
+from ._pools import Lost, Pool, StudyError, Task, Variant, pool_of
+from ._rows import PartRows, Rows, StudyResults
 from ._session import ParameterValue, setting
 
 __all__ = ["StudyError", "StudyResults", "grid", "study"]
@@ -22,100 +24,13 @@ __all__ = ["StudyError", "StudyResults", "grid", "study"]
 FIRST_BATCH, MOST_BATCH = 8, 5000
 #: Batches for each worker that are handed in at a time.
 AHEAD = 2
-#: Bytes of data that go along with each batch.
-MOST_INLINE = 1 << 20
 #: How often a variant may kill the worker that evaluates it.
 MOST_KILLS = 2
 #: The code of a variant whose worker was lost.
 LOST = "worker-lost"
 
 #: A plan: a file, rows as dictionaries, columns by name, or a DataFrame.
-Plan = Union[str, "os.PathLike[str]", Sequence[Mapping[str, ParameterValue]], Mapping[str, Any], Any]
-
-_Variant = tuple[int, str, list[tuple[str, str]]]
-
-
-class StudyError(Exception):
-    """A study that cannot be carried out, or not to its end."""
-
-
-class _Task(NamedTuple):
-    """All that a worker needs, by content: it may have none of our files."""
-
-    name: str
-    text: bytes
-    files: dict[str, bytes | None]
-    settings: list[tuple[str, str]]
-    want: list[str]
-    time_limit: float | None
-    limits: list[tuple[str, int]]
-
-
-def _evaluate(task: _Task, variants: list[_Variant]) -> tuple[list[str], list[str], float]:
-    """What a worker does: a pure function of what it is given. Rows, missing files, seconds."""
-    begin = time.perf_counter()
-    rows, missing = _virote.study_batch(
-        task.name,
-        task.text,
-        task.files,
-        variants,
-        task.settings,
-        task.want,
-        task.time_limit,
-        task.limits,
-    )
-    return rows, missing, time.perf_counter() - begin
-
-
-class StudyResults(Sequence[dict[str, Any]]):
-    """The rows of a study in the order of its plan, each a dictionary by column titles."""
-
-    def __init__(self, rows: list[str], folder: Path | None) -> None:
-        self._rows = rows
-        self.folder = folder
-        """Where the parts are, or ``None``."""
-
-    def __len__(self) -> int:
-        return len(self._rows)
-
-    def __getitem__(self, index: Any) -> Any:
-        if isinstance(index, slice):
-            return StudyResults(self._rows[index], self.folder)
-        return json.loads(self._rows[index])
-
-    def __iter__(self) -> Iterator[dict[str, Any]]:
-        return (json.loads(row) for row in self._rows)
-
-    @property
-    def errors(self) -> dict[str, int]:
-        """How many rows have each code of an error."""
-        found: dict[str, int] = {}
-        for row in self:
-            if (code := row.get("code")) is not None:
-                found[code] = found.get(code, 0) + 1
-        return found
-
-    def column(self, title: str) -> list[Any]:
-        """A column; ``None`` where a row has nothing in it."""
-        rows = list(self)
-        if not any(title in row for row in rows):
-            titles = list(dict.fromkeys(title for row in rows for title in row))
-            raise KeyError(f"no column is called {title!r}; there are {titles}")
-        return [row.get(title) for row in rows]
-
-    def to_pandas(self) -> Any:
-        """The rows as a ``pandas.DataFrame``."""
-        import pandas as pd
-
-        return pd.DataFrame(list(self))
-
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Writes the rows into one file: ``.csv``, ``.jsonl`` or ``.parquet``."""
-        _virote.write_rows(os.fspath(path), self._rows)
-
-    def __repr__(self) -> str:
-        wrong = ", ".join(f"{n} of {code}" for code, n in self.errors.items())
-        return f"<virote.StudyResults: {len(self)} rows{', with errors: ' + wrong if wrong else ''}>"
+Plan = Union[str, "os.PathLike[str]", Iterable[Mapping[str, ParameterValue]], Mapping[str, Any], Any]
 
 
 def grid(**values: str | Iterable[ParameterValue]) -> list[dict[str, ParameterValue]]:
@@ -138,8 +53,9 @@ def _spread(name: str, given: str | Iterable[ParameterValue]) -> list[ParameterV
     kind = "0deg" if any(unit in given for unit in ("deg", "rad", "turn")) else "0mm"
     bare = not any(c.isalpha() for c in given)
     script = f"param {name} = {'0' if bare else kind}"
-    variants, _ = _virote.study_plan("grid", script.encode(), ".", None, [f"{name}={given}"])
-    return [values[0][1] for _, _, values in variants]
+    variants = _virote.study_plan("grid", script.encode(), ".", None, [f"{name}={given}"])
+    chunks = iter(variants.next, [])
+    return [values[0][1] for chunk in chunks for _, _, values in chunk]
 
 
 def study(
@@ -166,9 +82,10 @@ def study(
     >>> rows.column("area [mm^2]")
     [4.0, 9.0]
 
-    :param plan: a CSV or Parquet file, a list of dictionaries (see :func:`grid`), a dictionary of columns
-        or a DataFrame. Columns are called like parameters, with units behind them: ``"neck [mm]"``.
-    :param out: a folder for Parquet parts as they come. A study that was cut goes on from them.
+    :param plan: a CSV or Parquet file, dictionaries (a list as of :func:`grid`, or whatever gives one after
+        the other), a dictionary of columns or a DataFrame. Columns are called like parameters, with units behind them: ``"neck [mm]"``.
+    :param out: a folder for Parquet parts as they come. A study that was cut goes on from them. Without it all
+        rows are held in memory.
     :param want: the definitions that are results; without it every named number, text and truth value.
     :param params: values for parameters that do not vary.
     :param workers: processes of a pool of this machine; one for each processor by default.
@@ -183,10 +100,9 @@ def study(
         raise ValueError(f"a batch takes some time, found {batch_seconds} s")
     path = Path(script)
     text = path.read_bytes()
-    variants, plan_sum = _variants(path, text, plan)
     settings = [(name, setting(name, value)) for name, value in (params or {}).items()]
     files = {name: (path.parent / name).read_bytes() for name in data}
-    task = _Task(
+    task = Task(
         path.name,
         text,
         dict(files),
@@ -195,266 +111,75 @@ def study(
         time_limit,
         list((limits or {}).items()),
     )
-    parts = _Parts(out, task, plan_sum) if out is not None else None
-    pool = _Pool(workers) if client is None else _pool_of(client)
-    bar = _Bar(len(variants), progress, pool.link)
-    run = _Run(task, path.parent, variants, pool, parts, bar, batch_seconds)
-    try:
-        rows = run.rows()
-    finally:
-        pool.close()
-        run.bar.close()
-    return StudyResults(rows, parts.folder if parts else None)
+    with ExitStack() as stack:
+        variants = _variants(path, text, plan, stack)
+        done = PartRows(out, task, variants.sum) if out is not None else Rows()
+        pool = Pool(workers) if client is None else pool_of(client)
+        bar = _Bar(variants.n_variants, progress, pool.link)
+        stack.callback(bar.close)
+        run = _Run(task, path.parent, variants, pool, done, bar, batch_seconds)
+        stack.callback(lambda: pool.close(run.under_way))
+        run.finish()
+    return StudyResults(done, done.folder if isinstance(done, PartRows) else None)
 
 
-def _variants(path: Path, text: bytes, plan: Plan) -> tuple[list[_Variant], str]:
+def _variants(path: Path, text: bytes, plan: Plan, stack: ExitStack) -> _virote.PlanVariants:
     """The variants of a plan; what is not in a file goes through one, so that one reader judges all."""
     folder = os.fspath(path.parent)
     if isinstance(plan, (str, os.PathLike)):
         return _virote.study_plan(path.name, text, folder, os.fspath(plan), [])
-    columns = _columns(plan)
-    with tempfile.TemporaryDirectory() as scratch:
-        file = Path(scratch, "plan.csv")
-        lines = [_csv_line(columns)]
-        lines += [_csv_line(row) for row in zip(*columns.values())]
-        file.write_text("".join(lines), encoding="utf-8")
-        try:
-            return _virote.study_plan(path.name, text, folder, os.fspath(file), [])
-        except ValueError as err:
-            told = str(err).replace(f"{file}:", "the plan, line ").replace(f"the plan `{file}`", "the plan")
-            told = told.replace(f"`{file}`", "the plan")
-            raise ValueError(told) from None
+    scratch = stack.enter_context(tempfile.TemporaryDirectory())
+    file = Path(scratch, "plan.csv")
+    with file.open("w", encoding="utf-8") as lines:
+        lines.writelines(map(_csv_line, _lines(plan)))
+    try:
+        return _virote.study_plan(path.name, text, folder, os.fspath(file), [])
+    except ValueError as err:
+        told = str(err).replace(f"{file}:", "the plan, line ").replace(f"the plan `{file}`", "the plan")
+        told = told.replace(f"`{file}`", "the plan")
+        raise ValueError(told) from None
 
 
-def _columns(plan: Any) -> dict[str, list[str]]:
+def _lines(plan: Any) -> Iterator[list[str]]:
+    """The header and the rows of a plan, one after the other: it may be longer than memory."""
     if hasattr(plan, "to_dict") and hasattr(plan, "columns"):
-        plan = {str(name): list(plan[name]) for name in plan.columns}
+        plan = {str(name): plan[name] for name in plan.columns}
     if isinstance(plan, Mapping):
-        columns = {name: _cells(name, values) for name, values in plan.items()}
-        counts = {name: len(cells) for name, cells in columns.items()}
+        columns = {name: _column(name, values) for name, values in plan.items()}
+        counts = {name: len(values) for name, values in columns.items()}
         if len(set(counts.values())) > 1:
             raise ValueError(f"the columns of the plan are not of one length: {counts}")
-        return columns
-    rows = list(plan)
-    if not rows:
-        raise ValueError("the plan has no rows: nothing is to be evaluated")
-    for row in rows:
+        yield list(columns)
+        for cells in zip(*columns.values()):
+            yield [_cell(name, value) for name, value in zip(columns, cells)]
+        return
+    names: list[str] = []
+    for i, row in enumerate(plan):
         if not isinstance(row, Mapping):
             raise TypeError(f"a row of a plan is a dictionary, found {type(row).__name__}")
-    names = list(rows[0])
-    for i, row in enumerate(rows):
+        if i == 0:
+            names = list(row)
+            yield names
         if list(row) != names:
             raise ValueError(f"row {i} of the plan gives {list(row)}, the first one {names}")
-    return {name: _cells(name, [row[name] for row in rows]) for name in names}
+        yield [_cell(name, value) for name, value in row.items()]
+    if not names:
+        raise ValueError("the plan has no rows: nothing is to be evaluated")
 
 
-def _cells(name: str, values: Any) -> list[str]:
+def _column(name: str, values: Any) -> Sequence[Any]:
     if isinstance(values, str):
         raise TypeError(f"the column {name!r} of the plan is a list of values, found a text")
-    return ["" if value is None else setting(name, value) for value in values]
+    return values if hasattr(values, "__len__") else list(values)
+
+
+def _cell(name: str, value: Any) -> str:
+    return "" if value is None else setting(name, value)
 
 
 def _csv_line(cells: Iterable[str]) -> str:
     quoted = ['"' + cell.replace('"', '""') + '"' for cell in cells]
     return ",".join(quoted) + "\n"
-
-
-class _Parts:
-    """Parquet parts in a folder: each has the rows of a range of variants, and is there whole or not."""
-
-    MANIFEST = "study.json"
-
-    def __init__(self, out: str | os.PathLike[str], task: _Task, plan_sum: str) -> None:
-        self.folder = Path(out)
-        if self.folder.suffix in (".csv", ".jsonl", ".parquet"):
-            raise ValueError(
-                f"`out` is a folder for the parts of a study, found {str(out)!r}; "
-                "write one file with `results.write(...)`"
-            )
-        self.folder.mkdir(parents=True, exist_ok=True)
-        self._files: dict[str, str] = {}
-        wanted = {
-            "script": hashlib.sha256(task.text).hexdigest(),
-            "plan": plan_sum,
-            "settings": [list(one) for one in task.settings],
-            "want": task.want,
-            "time_limit": task.time_limit,
-            "limits": [list(one) for one in task.limits],
-        }
-        manifest = self.folder / self.MANIFEST
-        if manifest.exists():
-            try:
-                kept = json.loads(manifest.read_text())
-            except ValueError:
-                raise StudyError(f"{manifest} is not what a study left") from None
-            differ = [name for name, value in wanted.items() if kept.get(name) != value]
-            if differ:
-                raise StudyError(
-                    f"{self.folder} holds the results of a study with another "
-                    f"{' and another '.join(differ)}; take another folder, or remove it"
-                )
-            self._files = kept.get("files", {})
-        elif any(self.folder.iterdir()):
-            raise StudyError(f"{self.folder} is not empty, and holds no study")
-        self._wanted = wanted
-        self._save()
-
-    def _save(self) -> None:
-        path = self.folder / self.MANIFEST
-        scratch = path.with_suffix(".tmp")
-        scratch.write_text(json.dumps({**self._wanted, "files": self._files}, indent=1) + "\n")
-        os.replace(scratch, path)
-
-    def note(self, name: str, content: bytes | None) -> None:
-        """Notes a data file; refuses one that is not what it was for the rows that are there."""
-        digest = hashlib.sha256(content).hexdigest() if content is not None else "none"
-        known = self._files.setdefault(name, digest)
-        if known != digest:
-            raise StudyError(f"{name} is not what it was for the rows in {self.folder}")
-        self._save()
-
-    def kept(self) -> dict[int, str]:
-        """Rows that are there, by the numbers of their variants."""
-        rows: dict[int, str] = {}
-        for path in sorted(self.folder.glob("part-*.parquet")):
-            numbers = _numbers(path)
-            found = _virote.read_rows(os.fspath(path))
-            if len(found) == len(numbers):
-                rows.update(zip(numbers, found))
-        return rows
-
-    def write(self, numbers: list[int], rows: list[str]) -> None:
-        name = f"part-{numbers[0]:09}-{numbers[-1]:09}.parquet"
-        _virote.write_rows(os.fspath(self.folder / name), rows)
-
-
-def _numbers(path: Path) -> range:
-    first, last = path.stem.removeprefix("part-").split("-")
-    return range(int(first), int(last) + 1)
-
-
-class _Lost(Exception):
-    """A worker was lost with what it was doing."""
-
-
-class _Pool:
-    """Processes of this machine."""
-
-    link: str | None = None
-
-    def __init__(self, workers: int | None) -> None:
-        if workers is not None and workers < 1:
-            raise ValueError(f"a study has one worker or more, found {workers}")
-        self.size = workers or os.cpu_count() or 1
-        self._executor: Any = None
-
-    def submit(self, task: _Task, variants: list[_Variant], alone: bool) -> Any:
-        import multiprocessing
-        from concurrent.futures import ProcessPoolExecutor
-
-        if self._executor is None:
-            # Not `fork`: threads of this process may hold locks.
-            context = multiprocessing.get_context("spawn")
-            size = 1 if alone else self.size
-            self._executor = ProcessPoolExecutor(size, mp_context=context)
-        return self._executor.submit(_evaluate, task, variants)
-
-    def wait(self, futures: Iterable[Any]) -> Iterable[Any]:
-        from concurrent.futures import FIRST_COMPLETED, wait
-
-        return wait(futures, return_when=FIRST_COMPLETED).done
-
-    def result(self, future: Any) -> tuple[list[str], list[str], float]:
-        from concurrent.futures.process import BrokenProcessPool
-
-        try:
-            return future.result()  # type: ignore[no-any-return]
-        except BrokenProcessPool:
-            self.reset()
-            raise _Lost from None
-
-    def reset(self) -> None:
-        if self._executor is not None:
-            self._executor.shutdown(wait=False, cancel_futures=True)
-            self._executor = None
-
-    def close(self) -> None:
-        self.reset()
-
-
-class _Executor(_Pool):
-    """Any executor with ``submit``; it belongs to whoever made it."""
-
-    def __init__(self, client: Any) -> None:
-        self._client = client
-        self.size = getattr(client, "_max_workers", None) or os.cpu_count() or 1
-
-    def submit(self, task: _Task, variants: list[_Variant], alone: bool) -> Any:
-        return self._client.submit(_evaluate, task, variants)
-
-    def result(self, future: Any) -> tuple[list[str], list[str], float]:
-        from concurrent.futures import BrokenExecutor
-
-        try:
-            return future.result()  # type: ignore[no-any-return]
-        except BrokenExecutor as err:
-            raise StudyError(f"the executor lost its workers, and takes no more: {err}") from None
-
-    def reset(self) -> None:
-        pass
-
-
-class _Dask(_Pool):
-    """A Dask client."""
-
-    def __init__(self, client: Any) -> None:
-        self._client = client
-        try:
-            self.size = max(1, sum(client.nthreads().values()))
-        except Exception as err:
-            raise StudyError(f"the scheduler does not answer: {err}") from err
-        self.link = client.dashboard_link
-        self._shipped: tuple[_Task, Any] | None = None
-
-    def submit(self, task: _Task, variants: list[_Variant], alone: bool) -> Any:
-        # A few bytes go along with each batch; much data goes to each worker once.
-        if sum(len(content or b"") for content in task.files.values()) < MOST_INLINE:
-            return self._client.submit(_evaluate, task, variants, pure=False)
-        if self._shipped is None or self._shipped[0] is not task:
-            self._shipped = (task, self._client.scatter(task, broadcast=True, hash=False))
-        return self._client.submit(_evaluate, self._shipped[1], variants, pure=False)
-
-    def wait(self, futures: Iterable[Any]) -> Iterable[Any]:
-        import distributed
-
-        wait: Any = distributed.wait
-        try:
-            return wait(list(futures), return_when="FIRST_COMPLETED").done  # type: ignore[no-any-return]
-        except Exception as err:
-            raise StudyError(f"the scheduler went away: {err}") from err
-
-    def result(self, future: Any) -> tuple[list[str], list[str], float]:
-        from distributed import KilledWorker
-
-        try:
-            return future.result()  # type: ignore[no-any-return]
-        except KilledWorker:
-            raise _Lost from None
-        except Exception as err:
-            if self._client.status == "running" and not future.cancelled():
-                raise
-            raise StudyError(f"the scheduler went away: {err}") from err
-
-    def reset(self) -> None:
-        pass
-
-
-def _pool_of(client: Any) -> _Pool:
-    if type(client).__module__.partition(".")[0] == "distributed":
-        return _Dask(client)
-    if not callable(getattr(client, "submit", None)):
-        raise TypeError(f"a client has a method `submit`, found {type(client).__name__}")
-    return _Executor(client)
 
 
 class _Bar:
@@ -490,33 +215,68 @@ class _Bar:
             self._stream.write("\n")
 
 
+class _Left:
+    """The variants of a plan that have no row yet, read as they are taken."""
+
+    def __init__(self, plan: _virote.PlanVariants, done: list[range]) -> None:
+        self._variants = self._read(plan, done)
+        self._count = plan.n_variants - sum(map(len, done))
+        self._next: Variant | None = None
+
+    @staticmethod
+    def _read(plan: _virote.PlanVariants, done: list[range]) -> Iterator[Variant]:
+        ranges = iter(done)
+        skipped = next(ranges, range(0))
+        while chunk := plan.next():
+            for variant in chunk:
+                while skipped and skipped.stop <= variant[0]:
+                    skipped = next(ranges, range(0))
+                if variant[0] not in skipped:
+                    yield variant
+
+    def __len__(self) -> int:
+        return self._count
+
+    def next_number(self) -> int:
+        if self._next is None:
+            self._next = next(self._variants, None)
+        if self._next is None:
+            raise StudyError("the plan has become shorter since it was read first")
+        return self._next[0]
+
+    def take(self) -> Variant:
+        self.next_number()
+        taken, self._next = self._next, None
+        assert taken is not None
+        self._count -= 1
+        return taken
+
+
 class _Run:
     """A study under way: batches that wait, batches under way, rows that are there."""
 
     def __init__(
         self,
-        task: _Task,
+        task: Task,
         folder: Path,
-        variants: list[_Variant],
-        pool: _Pool,
-        parts: _Parts | None,
+        plan: _virote.PlanVariants,
+        pool: Pool,
+        done: Rows,
         bar: _Bar,
         batch_seconds: float,
     ) -> None:
-        self.task, self.folder, self.pool, self.parts, self.bar = task, folder, pool, parts, bar
+        self.task, self.folder, self.pool, self.done, self.bar = task, folder, pool, done, bar
         self.batch_seconds = batch_seconds
-        self.done: dict[int, str] = parts.kept() if parts else {}
-        bar.keep(len(self.done))
-        self.numbers = [number for number, _, _ in variants]
-        self.left = deque(variant for variant in variants if variant[0] not in self.done)
-        self.again: deque[list[_Variant]] = deque()
-        self.suspects: deque[list[_Variant]] = deque()
+        bar.keep(len(done))
+        self.left = _Left(plan, done.ranges())
+        self.again: deque[list[Variant]] = deque()
+        self.suspects: deque[list[Variant]] = deque()
         self.kills: dict[int, int] = {}
         self.size = FIRST_BATCH
-        self.under_way: dict[Any, list[_Variant]] = {}
+        self.under_way: dict[Any, list[Variant]] = {}
 
-    def rows(self) -> list[str]:
-        """All rows in the order of the plan."""
+    def finish(self) -> None:
+        """Evaluates what has no row yet."""
         while self.left or self.again or self.under_way:
             self._hand_in()
             for future in list(self.pool.wait(self.under_way)):
@@ -524,7 +284,6 @@ class _Run:
                     self._take(future)
             if self.suspects and not self.under_way:
                 self._try_suspects()
-        return [self.done[number] for number in self.numbers]
 
     def _hand_in(self) -> None:
         # While there are suspects nothing else is begun, lest it be lost with them.
@@ -542,23 +301,23 @@ class _Run:
                 future = self.pool.submit(self.task, batch, alone=False)
             self.under_way[future] = batch
 
-    def _next_batch(self) -> list[_Variant]:
-        batch: list[_Variant] = []
+    def _next_batch(self) -> list[Variant]:
+        batch: list[Variant] = []
         # Parts are ranges: what is there already ends a batch.
         while self.left and len(batch) < self.size:
-            if batch and self.left[0][0] != batch[-1][0] + 1:
+            if batch and self.left.next_number() != batch[-1][0] + 1:
                 break
-            batch.append(self.left.popleft())
+            batch.append(self.left.take())
         return batch
 
     def _take(self, future: Any) -> None:
         batch = self.under_way.pop(future)
         try:
             rows, missing, seconds = self.pool.result(future)
-        except _Lost:
+        except Lost:
             self.suspects.append(batch)
             # What was under way beside it is lost, too.
-            if type(self.pool) is _Pool:
+            if type(self.pool) is Pool:
                 self.suspects.extend(self.under_way.values())
                 self.under_way.clear()
             return
@@ -584,29 +343,30 @@ class _Run:
             files[name] = path.read_bytes() if path.is_file() else None
         self.task = self.task._replace(files=files)
 
-    def _keep(self, batch: list[_Variant], rows: list[str]) -> None:
-        numbers = [number for number, _, _ in batch]
-        if self.parts:
+    def _keep(self, batch: list[Variant], rows: list[str]) -> None:
+        if isinstance(self.done, PartRows):
             for name, content in self.task.files.items():
-                self.parts.note(name, content)
-            try:
-                self.parts.write(numbers, rows)
-            except OSError as err:
-                kept = len(self.done)
-                raise StudyError(f"{err}; {kept} rows are kept, and the same call goes on") from err
-        self.done.update(zip(numbers, rows))
+                self.done.note(name, content)
+        try:
+            self.done.add(range(batch[0][0], batch[-1][0] + 1), rows)
+        except OSError as err:
+            told, kept = err.strerror or err, len(self.done)
+            raise StudyError(f"{told}; {kept} rows are kept, and the same call goes on") from err
         self.bar.add(len(rows))
 
     def _try_suspects(self) -> None:
         """Evaluates batches that lost their worker one by one, halved until the variant is found."""
+        self.pool.check_begins()
         while self.suspects:
             batch = self.suspects.popleft()
             self.pool.reset()
             future = self.pool.submit(self.task, batch, alone=True)
+            self.under_way[future] = batch
             self.pool.wait([future])
+            del self.under_way[future]
             try:
                 rows, missing, _ = self.pool.result(future)
-            except _Lost:
+            except Lost:
                 number, id, values = batch[0]
                 if len(batch) > 1:
                     half = len(batch) // 2
@@ -630,5 +390,3 @@ def _lost_row(id: str, values: list[tuple[str, str]]) -> str:
     given = ", ".join(f"{name}={text}" for name, text in values)
     row = {"id": json.loads(id), "code": LOST, "message": f"{message} ({given})"}
     return json.dumps({**row, "milliseconds": None}, ensure_ascii=False)
-
-

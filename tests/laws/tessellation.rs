@@ -9,6 +9,7 @@ use virote_kernel::{
     Axis, Direction, Frame, GeomError, Grid, InputError, KnotVector, Mesh, NurbsCurve,
     NurbsSurface, Surface, TessellationOptions, Tolerance, distance_to_polyline, tessellate,
     tessellate_all, tessellate_finely,
+    work::{self, MemoryGauge, StopToken, Watch},
 };
 
 use crate::some::{point, sphere};
@@ -428,4 +429,19 @@ fn a_disc_needs_its_border_only() {
     // A leg of a polygon with n corners misses the circle by π² / 2n².
     assert!(mesh.n_triangles() < 20_000, "{}", mesh.n_triangles());
     assert!((mesh.area() - PI).abs() < 1e-5);
+}
+
+#[test]
+fn a_mesh_ends_in_the_middle_of_its_rows() {
+    let surface = wave(9);
+    let meshed = |steps: u64| {
+        let (gauge, stop) = (MemoryGauge::default(), StopToken::default());
+        let watch = Watch { gauge, memory_bytes: usize::MAX, stop, steps };
+        work::under(watch, || tessellate(&surface, 1e-4, MOST))
+    };
+    let (mesh, done) = meshed(u64::MAX);
+    check_parts(&mesh.unwrap());
+    // Not only before the rows of triangles, which come last.
+    let (ended, _) = meshed(done.steps - 64);
+    assert!(matches!(ended, Err(GeomError::Ended)), "{ended:?}");
 }

@@ -21,6 +21,7 @@ use super::{
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
     tolerance::{BORDER_SHARE, END_LOOK},
+    work,
 };
 
 /// Pieces along one direction by which the cells are counted, about; and of those that bound them
@@ -209,6 +210,10 @@ impl CellBounds {
         });
         let mut is_faulty = [vec![false; widths[0].len()], vec![false; widths[1].len()]];
         for (step_u, rows) in &steps_u {
+            // Whoever asked looks at that as well.
+            if !work::goes_on(1) {
+                return false;
+            }
             for (step_v, columns) in &steps_v {
                 // Widths are those that cells of one piece may have.
                 let widths = [step_u[1] - step_u[0], step_v[1] - step_v[0]];

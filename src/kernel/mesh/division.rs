@@ -22,6 +22,7 @@ use crate::{
     ceiling::PARAMETER_HALVINGS,
     side_by_side,
     tolerance::{BORDER_SHARE, PLACE_RELATIVE},
+    work,
 };
 
 /// The parameters on a seam's stretches at the fractions that were looked at, by the bits of these:
@@ -177,6 +178,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
                 Some(equal) => stops.extend(equal),
                 None => stops.extend(halved),
             }
+            GeomError::go_on(1)?;
             if most < stops.len() {
                 return Err(CountError::TooManyVertices { got: stops.len(), most }.into());
             }
@@ -221,7 +223,7 @@ impl<'a, 's> SeamDivision<'a, 's> {
             let mut stops: Vec<SeamPlace> = Vec::with_capacity(n);
             for i in 1..=n {
                 let stop = self.stop(equal(section, i, n));
-                if !self.fits(stops.last().unwrap_or(start), &stop) {
+                if !work::goes_on(1) || !self.fits(stops.last().unwrap_or(start), &stop) {
                     return None;
                 }
                 stops.push(stop);

@@ -126,6 +126,7 @@ impl Stitcher<'_, '_> {
             self.mesh.uvs.extend(vs.iter().map(|&v| DVec2::new(u, v)));
         }
         for i in 0..us.len() {
+            GeomError::go_on(1)?;
             for j in 0..vs.len() {
                 let (u, v) = (self.lines[0][i], self.lines[1][j]);
                 let vertex = i * vs.len() + j;
@@ -145,6 +146,7 @@ impl Stitcher<'_, '_> {
         let n = vs.len() as u32;
         self.mesh.triangles.reserve(2 * us.len() * vs.len());
         for i in 0..us.len() - 1 {
+            GeomError::go_on(1)?;
             for j in 0..vs.len() - 1 {
                 if is_gap(&self.lines[0], i) || is_gap(&self.lines[1], j) {
                     continue;

@@ -118,7 +118,9 @@ impl<'a> SurfacePatch<'a> {
             };
             let lines = [lines(Direction::U)?, lines(Direction::V)?];
             check_vertices(lines[0].len() - 1, lines[1].len() - 1, most)?;
-            if !limits.narrow(&lines, &mut widths) {
+            let is_narrowed = limits.narrow(&lines, &mut widths);
+            GeomError::go_on(1)?;
+            if !is_narrowed {
                 return Ok(Cells { limits, lines });
             }
         }

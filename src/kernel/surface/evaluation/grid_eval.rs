@@ -11,6 +11,7 @@ use crate::{
     Grid, KnotVector, homogeneous,
     side_by_side::{self, RowBlock},
     surface::NurbsSurface,
+    work,
 };
 
 /// Points and unit normals at all pairs of parameters; row i for the i-th u.
@@ -133,6 +134,10 @@ impl NurbsSurface {
         let rows_u = us.iter().zip(table_u.rows()).skip(points.first);
         let rows = points.values.chunks_mut(vs.len()).zip(normals.chunks_mut(vs.len()));
         for ((points, normals), (&u, (span_u, functions_u))) in rows.zip(rows_u) {
+            // What is left at zero is thrown away with all else.
+            if !work::goes_on(1) {
+                return;
+            }
             self.contract(span_u.first, functions_u, &mut strip);
             let fold = self.fold_area / span_u.width;
             let places = points.iter_mut().zip(normals);
