@@ -38,7 +38,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let definitions = run.defined();
     let outputs = match settings.purpose {
         Purpose::Run | Purpose::Test => run.effects(&[&definitions]),
-        Purpose::TestNamed(_) => Vec::new(),
+        Purpose::SomeTests(_) => Vec::new(),
     };
     let tests = run.tests(&definitions);
     let unknown_settings = run.unknown_settings();
