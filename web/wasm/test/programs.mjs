@@ -20,17 +20,10 @@ const HEAD = /^\[[EW]\d{4}\] /;
 const OF_FILES = /^\[W0001\] Warning: turned /;
 /** Characters of a heading over a table. */
 const HEADING = 60;
-/** Each takes as long as dozens of others, and calls nothing that they do not. */
+/** These took 295 seconds, and more than 150, on a busy machine; the next slowest takes the module 15 seconds of processor. */
 const SLOW = new Set([
   "areas-and-volumes.geo",
-  "areas-of-uneven-weights.geo",
   "gradients-agree-with-differences.geo",
-  "how-surfaces-bend.geo",
-  "steep-waves-take-few-control-points.geo",
-  "surfaces-of-functions-as-nurbs.geo",
-  "surfaces-that-run-close.geo",
-  "surfaces-that-touch-where-they-cross.geo",
-  "sweeps.geo",
 ]);
 
 /** All files below a folder, but for what tests expect. */
