@@ -25,8 +25,10 @@ pub use file::File;
 #[cfg(feature = "cli")]
 pub(crate) use gate::JobGate;
 pub use picture::PictureContent;
-pub(crate) use picture::{drawable, exported};
+pub(crate) use picture::{drawable, exported, small_picture};
 pub use test::{TestReport, TestVerdict};
+
+pub(crate) use crate::ops::loaded_endings;
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span, fault},

@@ -42,7 +42,7 @@ local function test()
   vim.api.nvim_win_set_cursor(0, { 3, 19 })
   local hover = ask("textDocument/hover")
   assert(hover.contents.value:find("27.2 mm", 1, true), hover.contents.value)
-  local items = ask("textDocument/completion")
+  local items = ask("textDocument/completion").items
   local labels = {}
   for _, item in ipairs(items) do labels[item.label] = item end
   same("the value in a completion", labels.width.detail, "27.2 mm")

@@ -89,6 +89,7 @@ Examples:
   virote test                               every *.geo here and in the folders below
   virote test bottle.geo parts/
   virote test --filter neck                 the tests whose names contain \"neck\", no checks
+  virote test --filter neck --exact         the test that is called \"neck\"
   virote test --bless bottle.geo            writes bottle.golden/, or tells what changed in it
   virote test --junit results.xml           the results for CI
   virote test --message-format json")]

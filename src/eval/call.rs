@@ -14,7 +14,7 @@ use super::{
     relative_files::RelativeFiles,
 };
 use crate::{
-    diag::{Code, Diagnostic, Label, Result, Span, Spanned},
+    diag::{Code, Diagnostic, Fix, Label, Result, Span, Spanned},
     kernel::{Jet, Surface},
     limits::{
         Ceiling,
@@ -131,7 +131,8 @@ impl Machine<'_> {
                 match other {
                     Value::Number(_) => diagnostic
                         .label("is a `,` missing after this?")
-                        .hint("a product is written `a * b`"),
+                        .hint("a product is written `a * b`")
+                        .fix(Fix::insert(Span::new(place.end, place.end), " * ")),
                     Value::Point(_) | Value::List(_) => {
                         diagnostic.label("is a `,` missing after this?")
                     }

@@ -45,10 +45,12 @@ impl Machine<'_> {
             None => format!("a {}", kind.word()),
         };
         if let Some(found) = stranger(expr, &value, kind, &promised) {
-            return found
+            let fix =
+                self.keyword_before(kind.word(), name).map(|place| Fix::replace(place, "let"));
+            let found = found
                 .also(name, format!("promised to be {promised} here"))
-                .hint("leave it out, or write `let` for a list of several kinds")
-                .fail();
+                .hint("leave it out, or write `let` for a list of several kinds");
+            return fix.into_iter().fold(found, Diagnostic::fix).fail();
         }
         let message = format!("{promised} is promised, but this is {}", value.phrase());
         let word = fitting(&value).unwrap_or("let");

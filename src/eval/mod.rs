@@ -69,4 +69,4 @@ pub use outcome::{
 };
 pub use run::evaluate;
 pub use schema::{Schema, SchemaParameter, parameters};
-pub use settings::{Purpose, Setting, Settings};
+pub use settings::{Purpose, Setting, Settings, TestFilter};

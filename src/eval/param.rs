@@ -11,7 +11,7 @@ use super::{
     settings::Setting,
 };
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Result, Span, Spanned, nearest},
     kernel::tolerance::STEP_RELATIVE,
     limits::Limits,
     syntax::{self, ast::Unit},
@@ -285,11 +285,8 @@ impl ParameterRules {
             number.value < range.end.value
         };
         if number.value < range.start.value || !is_below {
-            return outside(format!(
-                "outside {start}{}{end}",
-                if range.closed { ".." } else { "..<" }
-            ))
-            .fail();
+            let dots = if range.closed { ".." } else { "..<" };
+            return outside(format!("outside {start}{dots}{end}")).fail();
         }
         match self.step {
             Some((step, step_place)) if !is_on_step(number, *range, step) => {
@@ -308,6 +305,7 @@ impl ParameterRules {
         let message = format!("the range {start}{dots}{end} is backwards: it allows nothing");
         Diagnostic::error(Code::BadParameterValue, place, message)
             .hint(format!("a range runs up: write `{end}{dots}{start}`"))
+            .fix(Fix::replace(place, format!("{end}{dots}{start}")))
     }
 
     /// A value as a script would write it, lengths with the document's unit.

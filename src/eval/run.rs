@@ -20,7 +20,7 @@ use super::{
     worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Code, Diagnostic, Severity, Sources, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Severity, Sources, Span, Spanned, nearest},
     value::Value,
 };
 
@@ -38,7 +38,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let definitions = run.defined();
     let outputs = match settings.purpose {
         Purpose::Run | Purpose::Test => run.effects(&[&definitions]),
-        Purpose::TestNamed(_) => Vec::new(),
+        Purpose::SomeTests(_) => Vec::new(),
     };
     let tests = run.tests(&definitions);
     let unknown_settings = run.unknown_settings();
@@ -291,6 +291,16 @@ fn all_geometry(definitions: &[&[Defined]]) -> Option<(Vec<ExportSubject>, Vec<S
     Some((subjects, names))
 }
 
+/// `~=` in the place of a claim's only `==`.
+fn nearly_equal(checked: &Checked) -> Option<Fix> {
+    let mut places = checked.source.match_indices("==");
+    let (at, _) = places.next()?;
+    let is_verbatim = checked.source.len() == checked.span.range().len();
+    let start = checked.span.start + at as u32;
+    let fix = Fix::replace(Span::new(start, start + 2), "~=");
+    (is_verbatim && places.next().is_none()).then_some(fix)
+}
+
 /// The report of a claim that does not hold.
 fn failure(checked: &Checked) -> Diagnostic {
     let message = match &checked.message {
@@ -301,6 +311,7 @@ fn failure(checked: &Checked) -> Diagnostic {
     diagnostic.severity = Severity::Failure;
     if checked.verdict.differs_by_rounding {
         diagnostic = diagnostic.hint("numbers that were computed are compared with `~=`");
+        diagnostic.fixes.extend(nearly_equal(checked));
     }
     let sides = checked.verdict.brief_sides();
     // Sides that are the same are told once.

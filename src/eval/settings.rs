@@ -36,8 +36,28 @@ pub enum Purpose<'a> {
     Run,
     /// Its effects, and then its tests.
     Test,
-    /// Those of its tests whose names contain this.
-    TestNamed(&'a str),
+    /// Some of its tests.
+    SomeTests(TestFilter<'a>),
+}
+
+/// Which tests of a script are run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TestFilter<'a> {
+    /// Those whose names contain this.
+    Containing(&'a str),
+    /// Those that are called exactly this.
+    Named(&'a str),
+}
+
+impl TestFilter<'_> {
+    /// Whether a test of this name is run.
+    #[must_use]
+    pub fn takes(self, name: &str) -> bool {
+        match self {
+            Self::Containing(part) => name.contains(part),
+            Self::Named(whole) => name == whole,
+        }
+    }
 }
 
 /// What evaluation is given besides the script.

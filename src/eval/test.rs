@@ -19,7 +19,7 @@ impl FileRun<'_> {
         let is_wanted = |test: &&Test| match self.settings.purpose {
             Purpose::Run => false,
             Purpose::Test => true,
-            Purpose::TestNamed(part) => test.name.contains(part),
+            Purpose::SomeTests(filter) => filter.takes(&test.name),
         };
         let tests = self.program.tests.iter().filter(is_wanted);
         tests.map(|test| self.test(test, definitions)).collect()

@@ -2,12 +2,12 @@
 
 use std::{collections::BTreeSet, ops::Range};
 
-use super::{DefinedName, Document, NameRole, Outline, Values, hover};
+use super::{DefinedName, Document, NameRole, Values, hover, wanted_types::WantedTypes};
 use crate::{
     docs, eval,
     session::Session,
     syntax::{self, CompletionPlace, Highlight, KEYWORDS},
-    value::{Op, Registry, Value, field_names},
+    value::{Op, Registry, Value},
 };
 
 /// What a completion is.
@@ -56,6 +56,8 @@ pub struct Completion {
     pub insert: String,
     /// The same with places to fill in, as `name(${1:a}, ${2:b})`, where there are some.
     pub snippet: Option<String>,
+    /// Whether it is of a kind that is taken at the place, as far as that is known.
+    pub is_fitting: bool,
 }
 
 /// A file or folder of a folder.
@@ -82,6 +84,7 @@ impl Completion {
             kind,
             range: range.clone(),
             snippet: None,
+            is_fitting: true,
         }
     }
 
@@ -91,6 +94,15 @@ impl Completion {
 
     pub(super) fn docs(self, docs: impl Into<String>) -> Self {
         Self { docs: docs.into(), ..self }
+    }
+
+    pub(super) fn fitting(self, is_fitting: bool) -> Self {
+        Self { is_fitting, ..self }
+    }
+
+    /// What is likelier comes before.
+    fn rank(&self) -> (bool, CompletionKind) {
+        (!self.is_fitting, self.kind)
     }
 
     /// What it does, as Markdown, also of a built-in: a page that is made when somebody looks at it.
@@ -123,7 +135,7 @@ impl Document {
         let at = self.text.floor_char_boundary(at.min(self.text.len()));
         let place = CompletionSpot { document: self, registry: session.registry(), values, at };
         let mut found = place.all(list);
-        found.sort_by(|a, b| (a.kind, &a.label).cmp(&(b.kind, &b.label)));
+        found.sort_by(|a, b| (a.rank(), &a.label).cmp(&(b.rank(), &b.label)));
         found.dedup_by(|b, a| a.label == b.label);
         found
     }
@@ -165,49 +177,6 @@ impl CompletionSpot<'_> {
             .is_some_and(|(paint, range)| *paint == Highlight::Number && range.end == self.at)
     }
 
-    /// Members of what stands before the dot.
-    fn fields(&self, of: &str, range: &Range<usize>) -> Vec<Completion> {
-        let Some(values) = self.values else { return self.names_of_import(of, range) };
-        let Some(value) = values.value(of) else { return self.names_of_import(of, range) };
-        let tolerance = values.report().document.1;
-        let told = |name: &str| {
-            let field = match value {
-                Value::Record(record) => record.get(name).cloned(),
-                Value::Point(_) => crate::value::field(value, name, tolerance).ok().flatten(),
-                _ => None,
-            };
-            let detail =
-                field.map(|field| values.brief(&field).unwrap_or_else(|| field.kind().to_owned()));
-            Completion::new(name, CompletionKind::Field, range).detail(detail.unwrap_or_default())
-        };
-        field_names(value).into_iter().map(told).collect()
-    }
-
-    /// What an imported file defines, also where nothing could be evaluated.
-    fn names_of_import(&self, of: &str, range: &Range<usize>) -> Vec<Completion> {
-        let alias = self
-            .document
-            .outline
-            .of_file()
-            .find(|name| name.role == NameRole::Import && name.name == of);
-        let Some(alias) = alias else { return Vec::new() };
-        let imports = self.document.imports();
-        let path = imports
-            .iter()
-            .find(|(place, _)| alias.whole.start <= place.start && place.end <= alias.whole.end);
-        let file = path.and_then(|(_, path)| {
-            self.document.sources.iter().skip(1).position(|source| source.name == *path)
-        });
-        let outline = file.and_then(|idx| self.document.imported.get(idx));
-        let names = outline
-            .into_iter()
-            .flat_map(Outline::of_file)
-            .filter(|name| !name.name.starts_with('_'));
-        names
-            .map(|name| Completion { kind: CompletionKind::Field, ..self.definition(name, range) })
-            .collect()
-    }
-
     fn names(&self, range: &Range<usize>) -> Vec<Completion> {
         let before = self.document.text[..range.start].trim_end();
         if before.ends_with(':') && self.line_before().trim_start().starts_with("param") {
@@ -216,16 +185,21 @@ impl CompletionSpot<'_> {
                 .collect();
         }
         let mut found = Vec::new();
-        if let Some(call) = syntax::open_call(&self.document.text, range.start) {
-            self.labels(&call, range, &mut found);
-            if call.name == "with" {
+        let call = syntax::open_call(&self.document.text, range.start);
+        if let Some(call) = &call {
+            self.labels(call, range, &mut found);
+            if call.name == "with" && call.label.is_none() {
                 return found;
             }
         }
+        let wanted = self.wanted(call.as_ref(), range.start);
+        found.extend(self.words_wanted(call.as_ref(), &wanted, range));
         self.locals(range, &mut found);
-        found.extend(self.document.outline.of_file().map(|name| self.definition(name, range)));
+        found.extend(
+            self.document.outline.of_file().map(|name| self.definition(name, range, &wanted)),
+        );
         for name in self.registry.names() {
-            found.push(self.built_in(name, range));
+            found.push(self.built_in(name, range, &wanted));
         }
         let begins_line = self.line_before().trim_start().len() <= self.at - range.start;
         found.extend(KEYWORDS.iter().map(|word| {
@@ -233,6 +207,7 @@ impl CompletionSpot<'_> {
             Completion {
                 snippet: snippet.map(str::to_owned),
                 ..Completion::new(*word, CompletionKind::Keyword, range)
+                    .fitting(wanted.takes_word(word))
             }
         }));
         found
@@ -247,7 +222,9 @@ impl CompletionSpot<'_> {
         let mut seen: BTreeSet<&str> = BTreeSet::new();
         for name in known {
             seen.insert(&name.name);
-            found.push(Completion { kind: CompletionKind::Local, ..self.definition(name, range) });
+            let anything = WantedTypes::default();
+            let local = self.definition(name, range, &anything);
+            found.push(Completion { kind: CompletionKind::Local, ..local });
         }
         // A statement under way does not parse yet: its words so far.
         let start = outline
@@ -269,10 +246,16 @@ impl CompletionSpot<'_> {
         }
     }
 
-    fn definition(&self, name: &DefinedName, range: &Range<usize>) -> Completion {
+    pub(super) fn definition(
+        &self,
+        name: &DefinedName,
+        range: &Range<usize>,
+        wanted: &WantedTypes,
+    ) -> Completion {
         let value = self.values.and_then(|values| Some((values, values.value(&name.name)?)));
         let value =
             value.filter(|(_, value)| name.is_of_file && !matches!(value, Value::Function(_)));
+        let is_fitting = wanted.takes_defined(name, value.map(|(_, value)| value));
         let detail = match value {
             Some((values, value)) => values.brief(value).unwrap_or_else(|| value.phrase()),
             None => hover::signature(name),
@@ -287,13 +270,16 @@ impl CompletionSpot<'_> {
             _ => (CompletionKind::Definition, None),
         };
         let docs = name.docs.as_deref().map(docs::paragraph).unwrap_or_default();
-        Completion { snippet, ..Completion::new(&name.name, kind, range).detail(detail).docs(docs) }
+        let found = Completion::new(&name.name, kind, range).detail(detail).docs(docs);
+        Completion { snippet, ..found }.fitting(is_fitting)
     }
 
-    fn built_in(&self, name: &str, range: &Range<usize>) -> Completion {
+    fn built_in(&self, name: &str, range: &Range<usize>, wanted: &WantedTypes) -> Completion {
         if let Some(constant) = self.registry.constant(name) {
+            let value = (constant.value)();
             return Completion::new(name, CompletionKind::Constant, range)
-                .detail((constant.value)().to_string());
+                .detail(value.to_string())
+                .fitting(wanted.takes(&value));
         }
         let ops: &[&Op] = self.registry.get(name).map(|(_, ops)| &ops[..]).unwrap_or_default();
         let first = ops.first();
@@ -311,6 +297,7 @@ impl CompletionSpot<'_> {
             ..Completion::new(name, CompletionKind::BuiltIn, range)
         }
         .detail(first.map(|op| op.signature()).unwrap_or_default())
+        .fitting(ops.iter().any(|op| wanted.takes_type(op.returns)))
     }
 
     /// A call with places for its arguments, unless brackets stand there already.

@@ -4,12 +4,14 @@ use std::ops::Range;
 
 use super::{
     Completion, CompletionKind, FolderEntry, NameRole, Outline, completion::CompletionSpot, hover,
+    signature::left_to_give,
 };
 use crate::{
     diag::Code,
     docs, eval,
     export::{ExportOption, FORMATS},
-    syntax::{OpenCall, ast::Unit},
+    session,
+    syntax::{OpenCall, ast::Unit, open_call},
     value::{COLOR_NAMES, OpParameter},
 };
 
@@ -33,12 +35,17 @@ impl CompletionSpot<'_> {
             if is_number { self.at - (last.len() - digits.len()) } else { self.at - last.len() };
         let range = self.word_from(start);
         let units = Unit::ALL.iter().filter(|(_, unit)| is_number || unit.millimetres().is_some());
+        let number_start = self.at - if is_number { last.len() } else { 0 };
+        let call = open_call(&self.document.text, number_start);
+        let wanted = self.wanted(call.as_ref(), number_start);
         let told = |&(name, unit): &(&str, Unit)| {
             let detail = match unit.millimetres() {
                 Some(size) => format!("{size} mm"),
                 None => "angle".to_owned(),
             };
-            Completion::new(name, CompletionKind::Unit, &range).detail(detail)
+            Completion::new(name, CompletionKind::Unit, &range)
+                .detail(detail)
+                .fitting(!is_number || wanted.takes_unit(unit))
         };
         Some(units.map(told).collect())
     }
@@ -81,6 +88,7 @@ impl CompletionSpot<'_> {
             let codes = Code::ALL.iter().filter(|code| code.is_error());
             return codes.map(|code| choice(code.id()).detail(code.title())).collect();
         }
+        let Some(endings) = self.endings_of_files(start, call) else { return Vec::new() };
         let begun = self.document.text.get(start..self.at).unwrap_or_default();
         let (folder, name_start) = match begun.rfind('/') {
             Some(slash) => (&begun[..=slash], start + slash + 1),
@@ -90,9 +98,29 @@ impl CompletionSpot<'_> {
         let entry = |entry: FolderEntry| {
             let detail = if entry.is_folder { "folder" } else { "file" };
             let name = if entry.is_folder { entry.name + "/" } else { entry.name };
-            Completion::new(name, CompletionKind::File, &range).detail(detail)
+            let is_fitting = entry.is_folder
+                || endings.is_empty()
+                || name.rsplit_once('.').is_some_and(|(_, ending)| endings.contains(&ending));
+            Completion::new(name, CompletionKind::File, &range).detail(detail).fitting(is_fitting)
         };
         list(folder).into_iter().map(entry).collect()
+    }
+
+    /// The endings of the files that the string at `start` may name, any without one; none where it names no file.
+    fn endings_of_files(&self, start: usize, call: Option<&str>) -> Option<Vec<&'static str>> {
+        match call {
+            Some("load") => Some(session::loaded_endings().collect()),
+            Some("script") => Some(vec!["geo"]),
+            Some(_) => None,
+            None => {
+                let text = self.document.text.get(..start.saturating_sub(1)).unwrap_or_default();
+                match text.trim_end().rsplit(|c: char| !c.is_alphanumeric()).next() {
+                    Some("import") => Some(vec!["geo"]),
+                    Some("to") => Some(Vec::new()),
+                    _ => None,
+                }
+            }
+        }
     }
 
     /// The parameters of the built-ins of a name.
@@ -102,7 +130,7 @@ impl CompletionSpot<'_> {
     }
 
     /// The options of the export under way.
-    fn export_options(&self) -> Vec<&'static ExportOption> {
+    pub(super) fn export_options(&self) -> Vec<&'static ExportOption> {
         let statement = self.before().rfind("export").map(|start| &self.before()[start..]);
         let path = statement.and_then(|text| text.split('"').nth(1));
         let ending = path.and_then(|path| path.rsplit('.').next()).unwrap_or_default();
@@ -148,10 +176,12 @@ impl CompletionSpot<'_> {
             }
             return;
         }
+        let imported = self.document.imported.iter().flat_map(Outline::of_file);
         let own = self
             .document
             .outline
             .of_file()
+            .chain(imported)
             .find(|name| name.name == call.name && name.role == NameRole::Function);
         if let Some(function) = own {
             let given = function.parameters.iter().skip(call.position);
@@ -159,8 +189,16 @@ impl CompletionSpot<'_> {
                 .for_each(|parameter| add(label(&parameter.0).detail(hover::parameter(parameter))));
             return;
         }
-        for param in self.parameters(Some(call.name)) {
+        let ops = self.registry.get(call.name).map(|(_, ops)| &ops[..]).unwrap_or_default();
+        for param in ops.iter().flat_map(|op| left_to_give(op, call)) {
             add(label(param.name).detail(param.ty.to_string()).docs(docs::paragraph(param.docs)));
+        }
+        // What the script that is called takes.
+        if ops.iter().any(|op| op.names_script) && 0 < call.position {
+            let params = self.document.imported.iter().flat_map(Outline::of_file);
+            params.filter(|name| name.role == NameRole::Param).for_each(|name| {
+                add(label(&name.name).docs(name.docs.clone().unwrap_or_default()));
+            });
         }
     }
 }

@@ -47,6 +47,20 @@ impl Document {
         Some((text, place))
     }
 
+    /// The geometry that a name at a byte stands for, which a hover can show a picture of.
+    #[must_use]
+    pub fn shown_geometry<'v>(
+        &self,
+        session: &Session,
+        values: &'v Values,
+        at: usize,
+    ) -> Option<&'v Value> {
+        let (Meaning::Name(name), place) = self.meaning(session.registry(), at)? else {
+            return None;
+        };
+        self.value_of(name, &place, values)
+    }
+
     /// The value of a field of what a name of the script stands for.
     fn field(&self, values: &Values, of: &str, field: &str) -> Option<Value> {
         let value = values.value(of)?;
@@ -94,6 +108,9 @@ impl Document {
                 out.push_str(" *(before the last edit)*");
             }
         }
+        if let Some(label) = &name.label {
+            out.push_str(&format!("\n\n*{}*", label.replace('*', "\\*")));
+        }
         if let Some(docs) = &name.docs {
             out.push_str(&format!("\n\n{}", docs::paragraph(docs)));
         }
@@ -105,7 +122,10 @@ impl Document {
 pub(super) fn signature(name: &DefinedName) -> String {
     let text = &name.name;
     match name.role {
-        NameRole::Param => format!("param {text}"),
+        NameRole::Param => match &name.allowed {
+            Some(allowed) => format!("param {text} {allowed}"),
+            None => format!("param {text}"),
+        },
         NameRole::Import => format!("import {text}"),
         NameRole::Parameter => format!("(parameter) {text}"),
         NameRole::Variable => format!("(variable) {text}"),

@@ -7,13 +7,17 @@
 
 mod colors;
 mod completion;
+mod completion_fit;
+mod completion_members;
 mod completion_words;
 mod diagnostics;
 mod edits;
 mod format;
 mod hints;
 mod hover;
+mod measured;
 mod names;
+mod offered;
 mod outline;
 mod outline_walk;
 mod position;
@@ -21,6 +25,7 @@ mod signature;
 mod structure;
 mod tokens;
 mod values;
+mod wanted_types;
 
 use std::{ops::Range, sync::Arc};
 
@@ -30,7 +35,9 @@ pub use diagnostics::{Finding, SourceRange, fixes};
 pub use edits::{TextEdit, applied};
 pub use format::{formatted, formatted_lines};
 pub use hints::{Hint, HintKind, HintOptions, Lens, LensKind};
+pub use measured::CloserLook;
 pub use names::{Occurrence, Rename};
+pub use offered::offered;
 pub use outline::{Act, ActKind, CallSite, DefinedName, NameRole, Outline};
 pub use position::{ColumnUnit, LineColumn, LineIndex};
 pub use signature::{CalledSignature, SignatureParameter};

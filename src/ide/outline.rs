@@ -43,6 +43,10 @@ pub struct DefinedName {
     pub docs: Option<String>,
     /// The parameters of a function with the texts of their defaults.
     pub parameters: Vec<(String, Option<String>)>,
+    /// What a `param` allows, as it is written: `in 1mm..9mm step 1mm`.
+    pub allowed: Option<String>,
+    /// The text for people behind a `param`.
+    pub label: Option<String>,
     /// Whether the file defines it, and no block or test in it.
     pub is_of_file: bool,
     /// Whether it stands for a field or element of what is taken apart.

@@ -49,11 +49,26 @@ impl<'t> OutlineWalk<'t> {
             is_literal: false,
             docs: None,
             parameters: Vec::new(),
+            allowed: None,
+            label: None,
             is_of_file: self.is_of_file,
             is_part: false,
         });
         let last = self.out.names.len() - 1;
         &mut self.out.names[last]
+    }
+
+    /// What a parameter allows, as it is written on one line.
+    fn allowed(&self, param: &ast::Param<'_>) -> Option<String> {
+        let written = |expr: &ast::Expr<'_>| {
+            let text = self.text.get(expr.span.range()).unwrap_or_default();
+            text.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        let allowed = format!("in {}", written(param.allowed.as_ref()?));
+        Some(match &param.step {
+            Some(step) => format!("{allowed} step {}", written(step)),
+            None => allowed,
+        })
     }
 
     fn pattern(&mut self, pattern: &Pattern<'_>, role: NameRole, whole: Span) {
@@ -85,7 +100,12 @@ impl<'t> OutlineWalk<'t> {
             StatementKind::Error | StatementKind::Unit(_) => {}
             StatementKind::Edition(expr) | StatementKind::Tolerance(expr) => self.expr(expr),
             StatementKind::Param(param) => {
+                let allowed = self.allowed(param);
                 let name = self.name(&param.name, NameRole::Param, whole);
+                name.allowed = allowed;
+                if let Some(ExprKind::Text(label)) = param.label.as_ref().map(|label| &label.kind) {
+                    name.label = Some(label.to_string());
+                }
                 name.value = Some(param.default.span.range());
                 name.is_literal = is_literal(&param.default);
                 let parts = [&param.allowed, &param.step, &param.label];

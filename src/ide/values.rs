@@ -2,11 +2,10 @@
 
 use std::{collections::HashMap, ops::Range, sync::Arc};
 
-use super::Document;
+use super::{Document, measured::measured};
 use crate::{
     diag::Span,
     eval::Checked,
-    kernel::Curve,
     session::{Event, Report},
     value::{Number, Value, rounded},
 };
@@ -15,8 +14,6 @@ use crate::{
 const MOST_CHARS: usize = 80;
 /// Elements of a list that are shown.
 const MOST_ELEMENTS: usize = 8;
-/// Control points up to which a curve is measured while somebody waits.
-const MOST_MEASURED: usize = 1000;
 
 /// The last run of a script.
 #[derive(Debug)]
@@ -68,28 +65,14 @@ impl Values {
     #[must_use]
     pub fn description(&self, value: &Value) -> String {
         let unit = self.report.document.0.name();
-        match value {
-            Value::Curve(curve) => format!("{value}{}", measured(curve, unit)),
-            _ => brief(value, unit).unwrap_or_else(|| sized(value)),
-        }
+        let text = brief(value, unit).unwrap_or_else(|| sized(value));
+        format!("{text}{}", measured(value, unit))
     }
 
     /// A value that fits behind its definition; none where it has no short form.
     #[must_use]
     pub fn brief(&self, value: &Value) -> Option<String> {
         brief(value, self.report.document.0.name())
-    }
-}
-
-/// The length of a curve that is quickly measured.
-fn measured(curve: &Curve, unit: &str) -> String {
-    let Curve::Nurbs(spline) = curve else { return String::new() };
-    if MOST_MEASURED < spline.control_points().len() {
-        return String::new();
-    }
-    match curve.length(curve.domain()) {
-        Ok(length) => format!(", length {} {unit}", rounded(length)),
-        Err(_) => String::new(),
     }
 }
 

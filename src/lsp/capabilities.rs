@@ -13,6 +13,10 @@ pub(super) const VIEW: &str = "virote.openView";
 /// Every command.
 const COMMANDS: [&str; 2] = [TEST, VIEW];
 
+/// The parser of Markdown in VS Code and what is made of it, where pictures in a hover are shown. Editors in a terminal
+/// take Markdown too, and would show the text of a picture.
+const PICTURE_PARSER: &str = "marked";
+
 /// What the client can do and wants.
 #[derive(Debug, Default)]
 pub(super) struct Client {
@@ -26,6 +30,10 @@ pub(super) struct Client {
     pub(super) roots: Vec<std::path::PathBuf>,
     pub(super) shown: HintOptions,
     pub(super) has_lenses: bool,
+    /// Whether what a hover shows is Markdown there.
+    pub(super) reads_markdown: bool,
+    /// Whether pictures in it are shown.
+    pub(super) shows_pictures: bool,
 }
 
 impl Client {
@@ -55,7 +63,18 @@ impl Client {
         let root = params.root_uri.iter().map(|uri| uri.as_str());
         let mut roots: Vec<_> = folders.chain(root).filter_map(paths::path_of).collect();
         roots.dedup();
+        let formats = params
+            .capabilities
+            .text_document
+            .as_ref()
+            .and_then(|documents| documents.hover.as_ref()?.content_format.clone());
+        let reads_markdown =
+            formats.is_none_or(|formats| formats.contains(&lsp_types::MarkupKind::Markdown));
+        let markdown = params.capabilities.general.as_ref();
+        let markdown = markdown.and_then(|general| general.markdown.as_ref());
         let mut client = Self {
+            reads_markdown,
+            shows_pictures: markdown.is_some_and(|markdown| markdown.parser == PICTURE_PARSER),
             unit,
             snippets: can("/textDocument/completion/completionItem/snippetSupport"),
             refreshes_hints: can("/workspace/inlayHint/refreshSupport"),
@@ -83,6 +102,7 @@ impl Client {
         switch("/inlayHints/parameterNames", &mut self.shown.parameters);
         switch("/inlayHints/margins", &mut self.shown.margins);
         switch("/codeLens", &mut self.has_lenses);
+        switch("/hover/pictures", &mut self.shows_pictures);
     }
 }
 

@@ -12,7 +12,7 @@ use super::{
     server::{RequestError, RequestResult, Server},
     viewer::StartedViewer,
 };
-use crate::session::TestVerdict;
+use crate::{eval::TestFilter, session::TestVerdict};
 
 /// A test that runs for so long is stopped.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -32,7 +32,7 @@ impl Server<'_> {
         }
     }
 
-    /// Runs the tests of a document whose names contain this, and says what they came to.
+    /// Runs the test of a document that is called so, and says what it came to.
     fn test(&mut self, uri: &str, name: &str) -> RequestResult {
         let Some(open) = self.documents.get(uri) else { return Ok(Json::Null) };
         let files = self.files(open);
@@ -44,7 +44,8 @@ impl Server<'_> {
                 stop.stop();
             }
         });
-        let report = self.session.test(open.name(), open.text.as_bytes(), &files, &[], Some(name));
+        let wanted = Some(TestFilter::Named(name));
+        let report = self.session.test(open.name(), open.text.as_bytes(), &files, &[], wanted);
         drop(ended);
         let _ = watch.join();
         self.stop.reset();

@@ -4,36 +4,25 @@ use std::{path::Path, str::FromStr};
 
 use lsp_types::{
     CodeLens, CodeLensParams, Color, ColorInformation, ColorPresentation, ColorPresentationParams,
-    Command, CompletionItem, CompletionItemKind, CompletionParams, CompletionTextEdit,
-    DocumentColorParams, DocumentFormattingParams, DocumentLink, DocumentLinkParams,
+    Command, DocumentColorParams, DocumentFormattingParams, DocumentLink, DocumentLinkParams,
     DocumentOnTypeFormattingParams, DocumentRangeFormattingParams, Documentation, FoldingRange,
-    FoldingRangeKind, FoldingRangeParams, Hover, HoverContents, HoverParams, InlayHint,
-    InlayHintKind, InlayHintLabel, InlayHintParams, InsertTextFormat, MarkupContent, MarkupKind,
-    ParameterInformation, ParameterLabel, SelectionRange, SelectionRangeParams, SemanticToken,
-    SemanticTokens, SemanticTokensParams, SemanticTokensRangeParams, SignatureHelp,
-    SignatureHelpParams, SignatureInformation, TextEdit, Uri,
+    FoldingRangeKind, FoldingRangeParams, InlayHint, InlayHintKind, InlayHintLabel,
+    InlayHintParams, MarkupContent, MarkupKind, ParameterInformation, ParameterLabel,
+    SelectionRange, SelectionRangeParams, SemanticToken, SemanticTokens, SemanticTokensParams,
+    SemanticTokensRangeParams, SignatureHelp, SignatureHelpParams, SignatureInformation, TextEdit,
+    Uri,
 };
 use serde_json::json;
 
-use super::{
-    capabilities,
-    convert::{self, TextPlaces},
-    documents::OpenDocument,
-    paths,
-    server::Server,
-};
-use crate::{
-    disk::entries,
-    docs,
-    ide::{self, Document, HintKind, LensKind, TokenKind},
-};
+use super::{capabilities, convert::TextPlaces, documents::OpenDocument, paths, server::Server};
+use crate::ide::{self, Document, HintKind, LensKind, TokenKind};
 
-fn markdown(value: String) -> MarkupContent {
+pub(super) fn markdown(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::Markdown, value }
 }
 
 /// Documentation, unless there is none.
-fn documentation(text: &str) -> Option<Documentation> {
+pub(super) fn documentation(text: &str) -> Option<Documentation> {
     (!text.is_empty()).then(|| Documentation::MarkupContent(markdown(text.to_owned())))
 }
 
@@ -43,62 +32,6 @@ impl Server<'_> {
         let open = self.documents.get(uri.as_str())?;
         let document = open.document(&self.session, &self.files(open));
         Some((open, document, open.places(self.client.unit)))
-    }
-
-    pub(super) fn hover(&self, params: &HoverParams) -> Option<Hover> {
-        let at = &params.text_document_position_params;
-        let (open, document, places) = self.open(&at.text_document.uri)?;
-        let (text, range) =
-            document.hover(&self.session, open.last_values(), places.offset(at.position))?;
-        Some(Hover {
-            contents: HoverContents::Markup(markdown(text)),
-            range: Some(places.range(&range)),
-        })
-    }
-
-    pub(super) fn completion(&self, params: &CompletionParams) -> Option<Vec<CompletionItem>> {
-        let at = &params.text_document_position;
-        let (open, document, places) = self.open(&at.text_document.uri)?;
-        let folder = open.folder();
-        let list = |below: &str| entries(&folder.join(below));
-        let found = document.completions(
-            &self.session,
-            open.last_values(),
-            &list,
-            places.offset(at.position),
-        );
-        let item = |one: ide::Completion| {
-            let snippet = one.snippet.filter(|_| self.client.snippets);
-            CompletionItem {
-                kind: Some(convert::completion_kind(one.kind)),
-                detail: (!one.detail.is_empty()).then_some(one.detail),
-                documentation: documentation(&one.docs),
-                // The order of kinds is that of what is likelier.
-                sort_text: Some(format!("{:02}{}", one.kind as u8, one.label)),
-                insert_text_format: snippet.as_ref().map(|_| InsertTextFormat::SNIPPET),
-                text_edit: Some(CompletionTextEdit::Edit(TextEdit::new(
-                    places.range(&one.range),
-                    snippet.unwrap_or(one.insert),
-                ))),
-                label: one.label,
-                ..CompletionItem::default()
-            }
-        };
-        Some(found.into_iter().map(item).collect())
-    }
-
-    /// A completion that somebody looks at: of a built-in with its page, which makes up half of a list.
-    pub(super) fn completed(&self, item: CompletionItem) -> CompletionItem {
-        let is_built_in = item.documentation.is_none()
-            && matches!(
-                item.kind,
-                Some(CompletionItemKind::FUNCTION | CompletionItemKind::CONSTANT)
-            );
-        let page = is_built_in.then(|| docs::markdown(self.session.registry(), &item.label));
-        match page.flatten() {
-            Some(page) => CompletionItem { documentation: documentation(&page), ..item },
-            None => item,
-        }
     }
 
     pub(super) fn signature_help(&self, params: &SignatureHelpParams) -> Option<SignatureHelp> {

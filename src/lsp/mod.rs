@@ -7,6 +7,7 @@
 mod answers;
 mod capabilities;
 mod changes;
+mod closer_look;
 mod commands;
 mod convert;
 mod documents;
@@ -16,6 +17,7 @@ mod navigation;
 mod paths;
 mod server;
 mod serving;
+mod telling;
 mod transport;
 mod viewer;
 mod worker;

@@ -7,8 +7,8 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use super::{
-    SessionMaker, capabilities::Client, documents::OpenDocument, paths::OverlaidFiles,
-    viewer::StartedViewer, worker::EvaluationQueue,
+    SessionMaker, capabilities::Client, closer_look::CloserLooks, documents::OpenDocument,
+    paths::OverlaidFiles, viewer::StartedViewer, worker::EvaluationQueue,
 };
 use crate::{limits::work::StopToken, session::Session};
 
@@ -36,6 +36,8 @@ pub(super) struct Server<'a> {
     pub(super) waiting: Vec<(Request, String)>,
     /// Viewers that were started.
     pub(super) viewers: Vec<StartedViewer>,
+    /// At geometry, for hovers.
+    pub(super) looks: CloserLooks,
     next_id: i32,
     pub(super) is_shut: bool,
 }
@@ -58,6 +60,7 @@ impl<'a> Server<'a> {
             dirty: Vec::new(),
             waiting: Vec::new(),
             viewers: Vec::new(),
+            looks: CloserLooks::default(),
             next_id: 0,
             is_shut: false,
         }

@@ -26,6 +26,7 @@ use crate::{
 
 #[cfg(feature = "cli")]
 pub(crate) use mesh::csv_rows;
+pub(crate) use mesh::loaded_endings;
 
 /// Everything that a script can use without defining it.
 #[must_use]

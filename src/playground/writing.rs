@@ -8,6 +8,7 @@ use serde_json::{Value as Json, json};
 use super::Playground;
 use crate::{
     diag::Severity,
+    docs,
     ide::{
         self, ColumnUnit, Completion, Document, Finding, FolderEntry, LineColumn, LineIndex,
         SemanticToken, TextEdit, Values,
@@ -60,6 +61,8 @@ impl Playground {
         let document = self.document.take().unwrap_or_else(|| self.look());
         let answer = match call {
             "complete" => self.complete(&document, body),
+            // What a completion's built-in does: all of these pages are most of a list.
+            "page" => self.page(body),
             "hover" => self.hover(&document, body),
             "signature" => self.signature(&document, body),
             "definition" => definition(&document, body),
@@ -103,24 +106,37 @@ impl Playground {
             json!({
                 "label": its.label,
                 "detail": its.detail,
-                "docs": its.all_docs(self.session.registry()),
+                "docs": its.docs,
                 "kind": format!("{:?}", its.kind).to_lowercase(),
                 "range": places.range(&its.range),
                 "insert": its.insert,
                 "snippet": its.snippet,
+                "fits": its.is_fitting,
             })
         };
         Ok(found.iter().map(completion).collect())
     }
 
+    fn page(&self, body: &Json) -> Answer {
+        let name = body["name"].as_str().unwrap_or_default();
+        Ok(json!(docs::markdown(self.session.registry(), name)))
+    }
+
     fn hover(&self, document: &Document, body: &Json) -> Answer {
         let places = Places::of(document);
         let at = places.asked(body)?;
-        let found = document.hover(&self.session, self.values().as_ref(), at);
-        Ok(found.map_or(
-            Json::Null,
-            |(text, range)| json!({ "text": text, "range": places.range(&range) }),
-        ))
+        let values = self.values();
+        let Some((mut text, range)) = document.hover(&self.session, values.as_ref(), at) else {
+            return Ok(Json::Null);
+        };
+        let value = values
+            .as_ref()
+            .and_then(|values| Some((values, document.shown_geometry(&self.session, values, at)?)));
+        let measures = value.map(|(values, value)| values.measures(value)).unwrap_or_default();
+        if !measures.is_empty() {
+            text.push_str(&format!("\n\n{measures}"));
+        }
+        Ok(json!({ "text": text, "range": places.range(&range) }))
     }
 
     fn signature(&self, document: &Document, body: &Json) -> Answer {

@@ -8,11 +8,15 @@ use super::{
     plan::GatheredItems,
 };
 use crate::{
-    diag::{Spanned, nearest},
+    diag::{Span, Spanned, nearest},
     eval::{self, Defined},
-    export::{DefinitionLabel, Format, Item, Job, Legend, Options, Picture, Stripes, View, whole},
-    syntax::ast::Kind,
-    value::Value,
+    export::{
+        DefinitionLabel, Format, Item, Job, Legend, Options, PNG, Picture, Stripes, View, whole,
+    },
+    kernel::Tolerance,
+    limits::Limits,
+    syntax::ast::{Kind, Unit},
+    value::{Appearance, Value},
 };
 
 /// What a picture is to show, and how.
@@ -127,6 +131,44 @@ impl Session {
             ..Job::new(items)
         })
     }
+}
+
+/// How many times smaller than the whole is what the triangles of a small picture may lie beside a surface.
+const FINENESS: f64 = 100.0;
+
+/// A small picture of a value alone as a PNG, coarse and therefore quick; none where it cannot be drawn.
+pub(crate) fn small_picture(
+    value: &Value,
+    (unit, tolerance): (Unit, Tolerance),
+    limits: &Limits,
+    size: [usize; 2],
+) -> Option<Vec<u8>> {
+    let subject = eval::ExportSubject {
+        name: String::new(),
+        value: Spanned::new(value.clone(), Span::default()),
+        look: Appearance { color: Some(PALETTE[0]), ..Appearance::default() },
+        identity: None,
+    };
+    let mut gathering = GatheredItems::new(&PNG);
+    gathering.add_all_of(&subject).ok()?;
+    let items = gathering.items;
+    let mut options = Options { n_isocurves: 3, ..Options::default() };
+    options.viewpoint.view = Some(View::fitting(&items));
+    let extent = whole(&items)?.diagonal();
+    options.tolerance = Some(extent / FINENESS).filter(|tolerance| 0.0 < *tolerance);
+    let job = Job {
+        unit: unit.name(),
+        millimetres: unit.millimetres().unwrap_or(1.0),
+        precision: tolerance.distance,
+        options,
+        picture: Some(Picture::new(size)),
+        limits: *limits,
+        n_threads: 1,
+        ..Job::new(items)
+    };
+    let mut bytes = Vec::new();
+    (PNG.write)(&job, &mut bytes).ok()?;
+    Some(bytes)
 }
 
 /// Adds what is drawn beside the geometry.

@@ -8,7 +8,7 @@ use super::{
     path::{printable, reserved, safe_path},
 };
 use crate::{
-    diag::{Code, Diagnostic, Span, nearest},
+    diag::{Code, Diagnostic, Fix, Span, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, MeshMemory, Subject},
     kernel::{Curve, Face, NurbsCurve, Region, Surface, Tolerance},
@@ -171,7 +171,11 @@ fn unknown_format(path: &str, span: Span) -> Diagnostic {
     let diagnostic = Diagnostic::error(Code::UnknownFormat, span, message)
         .hint(format!("formats are {}", endings(|_| true)));
     match near {
-        Some(near) => diagnostic.label(format!("did you mean `.{near}`?")),
+        Some(near) => {
+            let path = path.trim_end_matches(|c| c != '.');
+            let fix = Fix::replace(span, format!("\"{path}{near}\""));
+            diagnostic.label(format!("did you mean `.{near}`?")).fix(fix)
+        }
         None => diagnostic,
     }
 }

@@ -3,7 +3,7 @@
 use super::{Event, Report, Session, plan::PlanContext};
 use crate::{
     diag::{Diagnostic, Severity, Span},
-    eval::{self, Purpose, Setting},
+    eval::{self, Purpose, Setting, TestFilter},
     value::Files,
 };
 
@@ -50,16 +50,17 @@ impl TestVerdict {
 }
 
 impl Session {
-    /// Interprets the script `bytes` and runs its tests; with a `filter` only those whose names
-    /// contain it, and no effects of the script itself.
+    /// Interprets the script `bytes` and runs its tests; with a `filter` only those that it takes, and no
+    /// effects of the script itself.
     ///
     /// ```
-    /// use virote::{session::{Session, TestVerdict}, value::NoFiles};
+    /// use virote::{eval::TestFilter, session::{Session, TestVerdict}, value::NoFiles};
     ///
     /// let script = b"let a = 2
     ///     test \"sums\" { check a + a == 4 }
     ///     test \"quotients\" { expect error \"E0501\" a / 0 }";
-    /// let report = Session::default().test("demo", script, &NoFiles, &[], Some("quot"));
+    /// let quotients = Some(TestFilter::Named("quotients"));
+    /// let report = Session::default().test("demo", script, &NoFiles, &[], quotients);
     /// assert!(report.diagnostics.is_empty());
     /// assert!(matches!(&report.tests[..], [test] if test.verdict == TestVerdict::Passed));
     /// ```
@@ -70,9 +71,9 @@ impl Session {
         bytes: &[u8],
         files: &dyn Files,
         settings: &[Setting],
-        filter: Option<&str>,
+        filter: Option<TestFilter<'_>>,
     ) -> Report {
-        let purpose = filter.map_or(Purpose::Test, Purpose::TestNamed);
+        let purpose = filter.map_or(Purpose::Test, Purpose::SomeTests);
         self.interpret(name, bytes, files, settings, purpose)
     }
 

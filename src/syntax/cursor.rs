@@ -67,6 +67,25 @@ pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
     Some(found)
 }
 
+/// The first byte of the list whose bracket is the innermost one that is open at byte `at` of a text.
+///
+/// ```
+/// use virote::syntax::open_list;
+///
+/// let text = "let s = skin([a, f(b), ";
+/// assert_eq!(open_list(text, text.len()), Some(13));
+/// assert_eq!(open_list(text, text.len() - 4), None, "that is a call");
+/// ```
+#[must_use]
+pub fn open_list(source: &str, at: usize) -> Option<usize> {
+    let lexed = lex(source.get(..at)?, 0);
+    let open = opening(&lexed, lexed.tokens.len() - 1)?;
+    let is_element =
+        open.checked_sub(1).is_some_and(|before| lexed.token(before).ends_expression());
+    (matches!(lexed.token(open), Token::OpenBracket | Token::LineBracket) && !is_element)
+        .then(|| lexed.span(open).range().start)
+}
+
 /// The keyword of the statement in which token `at` stands.
 fn statement<'s>(lexed: &Lexed<'s>, at: usize) -> Option<&'s str> {
     (0..=at).rev().find(|&at| lexed.begins_statement(at)).map(|at| lexed.text(at))

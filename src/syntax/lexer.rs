@@ -13,7 +13,7 @@ use scan::{PieceEnd, piece};
 use super::block_comment::is_closed;
 use super::lexed::{Comment, Lexed};
 use super::token::Token;
-use crate::diag::{Code, Diagnostic, Span};
+use crate::diag::{Code, Diagnostic, Fix, Span};
 
 /// The tokens of `source`, which is shorter than 4 GiB; keeps at most `most` diagnostics.
 pub(super) fn lex(source: &str, most: usize) -> Lexed<'_> {
@@ -146,7 +146,8 @@ impl<'s> Scanner<'s> {
             self.complain(
                 diagnostic
                     .label("`*/` is missing")
-                    .hint("comments nest: every `/*` needs its own `*/`"),
+                    .hint("comments nest: every `/*` needs its own `*/`")
+                    .fix(Fix::insert(Span::new(self.span().end, self.span().end), " */")),
             );
         }
         let is_doc =
@@ -234,7 +235,7 @@ impl<'s> Scanner<'s> {
                 "`{` begins an interpolation that ends with `}`; write `\\{` for the brace itself",
             )
         } else {
-            diagnostic
+            diagnostic.fix(Fix::insert(Span::new(span.end, span.end), "\""))
         });
         self.out.tokens.truncate(head);
         self.out.spans.truncate(head);
@@ -289,7 +290,12 @@ impl<'s> Scanner<'s> {
         let Some(&(_, meant, hint)) = known else { return self.stray() };
         let diagnostic =
             Diagnostic::error(Code::StrayText, span, format!("`{text}` means nothing here"));
-        self.complain(diagnostic.label("not part of the language").hint(hint));
+        let diagnostic = diagnostic.label("not part of the language").hint(hint);
+        self.complain(match meant {
+            _ if text == "°" => diagnostic.fix(Fix::replace(span, "deg")),
+            Token::Bad => diagnostic,
+            meant => diagnostic.fix(Fix::replace(span, meant.text())),
+        });
         if text != "°" {
             self.push(meant);
         }
@@ -315,12 +321,13 @@ impl<'s> Scanner<'s> {
         let diagnostic = Diagnostic::error(Code::StrayText, span, "`#` means nothing here")
             .label("not part of the language");
         if is_colour {
-            self.complain(
-                diagnostic.hint(format!("a colour is a string: `\"{}\"`", self.lexer.slice())),
-            );
+            let meant = format!("\"{}\"", self.lexer.slice());
+            let fix = Fix::replace(self.span(), meant.clone());
+            self.complain(diagnostic.hint(format!("a colour is a string: `{meant}`")).fix(fix));
             self.push(Token::Bad);
         } else {
-            self.complain(diagnostic.hint("a comment begins with `//`"));
+            let fix = Fix::replace(span, "//");
+            self.complain(diagnostic.hint("a comment begins with `//`").fix(fix));
         }
     }
 
@@ -346,7 +353,7 @@ impl<'s> Scanner<'s> {
         let diagnostic = diagnostic.label("not part of the language");
         self.complain(match self.lexer.slice() {
             "?" => diagnostic.hint("a choice is written `if c then a else b`"),
-            "\\" => diagnostic.hint("lines need no continuation mark"),
+            "\\" => diagnostic.hint("lines need no continuation mark").fix(Fix::remove(span, "\\")),
             "'" => diagnostic.hint("strings take double quotes"),
             _ => diagnostic,
         });

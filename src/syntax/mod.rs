@@ -2,6 +2,7 @@
 
 pub mod ast;
 mod block_comment;
+mod completion_place;
 mod cursor;
 mod lexed;
 mod lexer;
@@ -11,10 +12,11 @@ mod parser;
 mod print;
 mod token;
 
-pub use cursor::{OpenCall, is_name, open_call};
+pub use completion_place::{CompletionPlace, place};
+pub use cursor::{OpenCall, is_name, open_call, open_list};
 pub use outline::{
-    CompletionPlace, Highlight, OutlinedStatement, PromptEntry, StatementRole, entry,
-    free_placeholders, is_complete, parts, pieces, place,
+    Highlight, OutlinedStatement, PromptEntry, StatementRole, entry, free_placeholders,
+    is_complete, parts, pieces,
 };
 pub use parser::parse;
 pub use print::{format, print};

@@ -266,73 +266,9 @@ pub(super) fn opening(lexed: &Lexed<'_>, at: usize) -> Option<usize> {
     None
 }
 
-/// What stands around a place at which somebody types.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum CompletionPlace<'s> {
-    /// A name.
-    Name {
-        /// Where it begins.
-        start: usize,
-    },
-    /// A name behind the dot after this expression.
-    Field {
-        /// Where it begins.
-        start: usize,
-        /// The name before the dot.
-        of: &'s str,
-    },
-    /// A string that begins behind this byte.
-    Text {
-        /// Where its content begins.
-        start: usize,
-        /// The call around it.
-        call: Option<&'s str>,
-        /// The label that it is the value of.
-        label: Option<&'s str>,
-    },
-    /// A comment.
-    Comment,
-}
-
-/// What stands around the end of a text.
-#[must_use]
-pub fn place(source: &str) -> CompletionPlace<'_> {
-    let lexed = lex(source, 0);
-    let end = source.len();
-    if lexed.comments.iter().any(|comment| comment.span.range().end == end) {
-        return CompletionPlace::Comment;
-    }
-    // An open string is one bad token up to the end of its line.
-    let last = lexed.tokens.len().saturating_sub(2);
-    let open_text = (lexed.tokens.len() > 1
-        && lexed.token(last) == Token::Bad
-        && lexed.text(last).starts_with('"'))
-    .then_some(last);
-    if let Some(at) = open_text {
-        let label = (at > 1 && lexed.token(at - 1) == Token::Equals).then(|| lexed.text(at - 2));
-        let start = lexed.span(at).range().start + 1;
-        return CompletionPlace::Text { start, call: called(&lexed, at), label };
-    }
-    let is_word = lexed.tokens.len() > 1
-        && (lexed.token(last).is_word() || lexed.token(last) == Token::Placeholder)
-        && lexed.span(last).range().end == end;
-    let at = if is_word { last } else { lexed.tokens.len() - 1 };
-    let start = if is_word { lexed.span(last).range().start } else { end };
-    if at > 1 && lexed.token(at - 1) == Token::Dot {
-        return CompletionPlace::Field { start, of: lexed.text(at - 2) };
-    }
-    CompletionPlace::Name { start }
-}
-
-/// The name that is called in the innermost brackets around token `at`.
-fn called<'s>(lexed: &Lexed<'s>, at: usize) -> Option<&'s str> {
-    let before = opening(lexed, at)?.checked_sub(1)?;
-    (lexed.token(before).is_word()).then(|| lexed.text(before))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{CompletionPlace, PromptEntry, entry, is_complete, parts, place};
+    use super::{PromptEntry, entry, is_complete, parts};
     use crate::limits::Limits;
 
     #[test]
@@ -367,16 +303,5 @@ mod tests {
             ["// one\nlet a = 1 // first", "\nlet [b, c] = [2, 3]", "\ncheck a == 1\n// end"]
         );
         assert_eq!(parts[1].names, ["b", "c"]);
-    }
-
-    #[test]
-    fn a_place_knows_what_is_around_it() {
-        assert_eq!(place("let a = bez"), CompletionPlace::Name { start: 8 });
-        assert_eq!(place("bezier(pts, wei"), CompletionPlace::Name { start: 12 });
-        assert_eq!(place("c.deg"), CompletionPlace::Field { start: 2, of: "c" });
-        assert_eq!(
-            place("interpolate(p, ends = \"nat"),
-            CompletionPlace::Text { start: 23, call: Some("interpolate"), label: Some("ends") }
-        );
     }
 }

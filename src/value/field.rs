@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{Dimension, IntoValue, Number, Range, Real, Value, unit::dim_of};
+use super::{Dimension, IntoValue, Number, Range, Real, Type, Value, unit::dim_of};
 use crate::kernel::{
     Column, Curve, Face, GeomError, Grid, Interval, NurbsCurve, NurbsSurface, Region, Solid,
     Surface, Table, Tolerance,
@@ -43,6 +43,29 @@ pub fn field_names(value: &Value) -> Vec<&str> {
         Value::Table(table) => table.columns().iter().map(|column| column.name.as_str()).collect(),
         Value::Frame(frame) if frame.is_of_curve() => CURVE_FRAME.to_vec(),
         Value::Frame(_) => FRAME.to_vec(),
+        _ => Vec::new(),
+    }
+}
+
+/// The names of all fields of values of a type, as far as the type tells.
+#[must_use]
+pub fn field_names_of(ty: Type) -> Vec<&'static str> {
+    match ty {
+        Type::Point => POINT.to_vec(),
+        Type::Range => RANGE.to_vec(),
+        Type::Curve => CURVE.to_vec(),
+        Type::Surface => SURFACE.to_vec(),
+        Type::Region => REGION.to_vec(),
+        Type::Face => FACE.to_vec(),
+        Type::Solid => SOLID.to_vec(),
+        Type::Mesh => MESH.to_vec(),
+        Type::Plane => FRAME.to_vec(),
+        Type::OneOf(types) => {
+            let mut found: Vec<&str> = types.iter().flat_map(|of| field_names_of(*of)).collect();
+            let mut seen = std::collections::BTreeSet::new();
+            found.retain(|name| seen.insert(*name));
+            found
+        }
         _ => Vec::new(),
     }
 }

@@ -66,7 +66,7 @@ pub use decode::{decode, script_text, stranger};
 pub use element::pointed;
 pub use error_map::{At, blamed_on, code_of, hint_of, raised};
 pub use example::{Example, ExamplePicture, RefusalExample};
-pub use field::{field, field_names, table_row};
+pub use field::{field, field_names, field_names_of, table_row};
 pub use files::{Files, MemoryFiles, NoFiles};
 pub use format::{FormatRefusal, NumberFormat};
 pub use from_value::{

@@ -248,6 +248,15 @@ fn a_filter_chooses_by_name() {
     assert_eq!(test(&scratch, &["a.geo", "--filter", "the"]).2, 1);
     let (_, err, code) = test(&scratch, &["a.geo", "--filter", "nekc"]);
     assert_eq!((err.as_str(), code), ("virote: no test has a name that contains `nekc`\n", 3));
+    // A name that is a part of another one chooses itself alone.
+    scratch.file("b.geo", "test \"a\" { check true }\ntest \"ab\" { check false }\n");
+    assert_eq!(test(&scratch, &["b.geo", "--filter", "a"]).2, 1);
+    let (out, err, code) = test(&scratch, &["b.geo", "--filter", "a", "--exact"]);
+    let expected = "passed   b.geo:1  a\n1 file, 1 test (1 passed), 0 checks\n";
+    assert_eq!((out.as_str(), err.as_str(), code), (expected, "", 0));
+    let (_, err, code) = test(&scratch, &["b.geo", "--filter", "b", "--exact"]);
+    assert_eq!((err.as_str(), code), ("virote: no test is called `b`\n", 3));
+    assert_eq!(test(&scratch, &["b.geo", "--exact"]).2, 3);
 }
 
 #[test]

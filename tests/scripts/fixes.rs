@@ -64,6 +64,51 @@ fn slips_are_mended() {
     );
 }
 
+#[test]
+fn habits_from_elsewhere_are_mended() {
+    check("print 1 <> 2", "print 1 != 2");
+    check("print true && false", "print true and false");
+    check("print 3 × 4", "print 3 * 4");
+    check("print sin(30°)", "print sin(30deg)");
+    check("# a note\nprint 1", "// a note\nprint 1");
+    check(
+        "curve c = line((0, 0), (1, 0)) with (color = #cc3333)",
+        "curve c = line((0, 0), (1, 0)) with (color = \"#cc3333\")",
+    );
+    check("print 1 + \\\n  2", "print 1 + \n  2");
+    check("print \"a\nprint 1", "print \"a\"\nprint 1");
+    check("/* a /* b */\nprint 1", "/* a /* b */\nprint 1 */");
+    check("let a = 3 in 1..5  print a", "param a = 3 in 1..5  print a");
+    check("geo 7\nprint 1", "geo 1\nprint 1");
+    check("let a = 2  print a(3)", "let a = 2  print a * (3)");
+    check("print sin(90)", "print sin(90deg)");
+    check("check 0.1 + 0.2 == 0.3", "check 0.1 + 0.2 ~= 0.3");
+    check("param a = 3 in 5..1", "param a = 3 in 1..5");
+    check(
+        "curves all = [line((0, 0), (1, 0)), (2, 3)]",
+        "let all = [line((0, 0), (1, 0)), (2, 3)]",
+    );
+    check(
+        "curve c = line((0, 0), (1, 0))  export c to \"c.stepp\"",
+        "curve c = line((0, 0), (1, 0))  export c to \"c.step\"",
+    );
+}
+
+#[test]
+fn files_are_mended() {
+    let files = MemoryFiles::from([("my-part.geo", "let size = 3\n"), ("a.csv", "x,y\n1,2\n")]);
+    for (wrong, right) in [
+        ("import \"my-part.geo\"", "import \"my-part.geo\" as my_part"),
+        ("print load(\"a.cvs\")", "print load(\"a.csv\")"),
+    ] {
+        let report = run(wrong, &files);
+        let fix = report.diagnostics.iter().find_map(|found| found.fixes.first());
+        let fix = fix.unwrap_or_else(|| panic!("{wrong}: {:?}", report.diagnostics));
+        assert_eq!(applied(wrong, fix), right);
+        assert!(run(right, &files).diagnostics.is_empty(), "{right}");
+    }
+}
+
 /// Of every mistake of the collection that has fixes: each of them makes it go away.
 #[test]
 fn what_was_found_is_gone_after_its_fix() {

@@ -125,6 +125,108 @@ fn completion_knows_the_place() {
     assert!(scene("// wi‸").completions().is_empty());
 }
 
+/// The labels of what is offered first: those of a kind that is taken.
+fn fitting(marked: &str) -> Vec<String> {
+    let found = scene(marked).completions();
+    found.into_iter().filter(|one| one.is_fitting).map(|one| one.label).collect()
+}
+
+#[test]
+fn what_fits_an_argument_comes_first() {
+    let has = |marked: &str, label: &str| fitting(marked).iter().any(|one| one == label);
+    let script = "curve rail = line((0, 0), (9, 0))\nlet size = 3mm\nlet turn = 30deg\nsurface s = sphere((0, 0), 2)\n";
+    let with = |text: &str| format!("{script}{text}");
+    let along = with("let t = sweep(circle((0, 0), 1), path = ‸)");
+    assert!(has(&along, "rail") && has(&along, "helix"), "{:?}", fitting(&along));
+    assert!(!has(&along, "size") && !has(&along, "s") && !has(&along, "sin"));
+    let radius = with("let t = circle((0, 0), ‸)");
+    assert!(
+        has(&radius, "size")
+            && has(&radius, "length")
+            && !has(&radius, "turn")
+            && !has(&radius, "rail")
+    );
+    let angle = with("let t = rotate(rail, angle = ‸)");
+    assert!(has(&angle, "turn") && !has(&angle, "size"), "{:?}", fitting(&angle));
+    // Elements of a list, and what a keyword promises.
+    let list = with("let t = skin([rail, ‸])");
+    assert!(has(&list, "rail") && !has(&list, "size"));
+    let promise = with("surface t = ‸");
+    assert!(has(&promise, "s") && has(&promise, "torus") && !has(&promise, "rail"));
+    // What does not fit is still offered, behind.
+    let found = scene(&along).completions();
+    let place = |label: &str| found.iter().position(|one| one.label == label).unwrap();
+    assert!(place("rail") < place("size"));
+    assert!(has(&with("let t = size + ‸"), "turn"), "anything may stand here");
+    let units = scene("print sin(30‸)").completions();
+    assert_eq!((units[0].label.as_str(), units[0].is_fitting), ("deg", true));
+}
+
+#[test]
+fn words_are_offered_with_their_quotes() {
+    let one = scene("let c = interpolate([(0, 0), (1, 1)], ends = ‸)").completion("\"natural\"");
+    assert_eq!((one.insert.as_str(), one.is_fitting), ("\"natural\"", true));
+    let color = "curve c = line((0, 0), (1, 0)) with (color = ‸)";
+    assert_eq!(scene(color).completion("\"steelblue\"").insert, "\"steelblue\"");
+    let hidden = fitting("curve c = line((0, 0), (1, 0)) with (hidden = ‸)");
+    assert!(hidden.iter().any(|one| one == "true") && !hidden.iter().any(|one| one == "sphere"));
+    // Names are offered again inside of the braces of a string, and nothing in its text.
+    assert_eq!(scene("let width = 2mm\nprint \"{wid‸}\"").completion("width").detail, "2 mm");
+    assert!(scene("print \"wid‸\"").completions().is_empty());
+}
+
+#[test]
+fn members_are_those_of_the_expression_before_the_dot() {
+    let of = |marked: &str| -> Vec<String> {
+        scene(marked).completions().into_iter().map(|one| one.label).collect()
+    };
+    let record = "let p = {a: {b: 2mm}, cs: [line((0, 0), (1, 0))]}\nlet b = {wrong: 1}\n";
+    assert_eq!(of(&format!("{record}print p.a.‸")), ["b"]);
+    assert!(of(&format!("{record}print p.cs[0].‸")).contains(&"degree".to_owned()));
+    assert!(of("print circle((0, 0), 2).‸").contains(&"knots".to_owned()));
+    assert!(of("solid s = solid(sphere((0, 0), 2))\nprint s.‸").contains(&"vertices".to_owned()));
+    assert_eq!(of("curve c = line((0, 0), (1, 0))\nprint c(0.5).‸"), ["x", "y", "z"]);
+    // By what it promises, where it has no value.
+    assert!(of("curve c = nothing()\nprint c.‸").contains(&"degree".to_owned()));
+    let degree = scene("curve c = line((0, 0), (1, 0))\nprint c.‸").completion("degree");
+    assert_eq!(degree.detail, "1");
+}
+
+#[test]
+fn files_and_labels_are_those_that_are_left() {
+    let files = scene("let a = load(\"‸\")").completions();
+    let names: Vec<(&str, bool)> =
+        files.iter().map(|one| (one.label.as_str(), one.is_fitting)).collect();
+    assert_eq!(names, [("data/", true), ("part.geo", false)]);
+    let labels = scene("let c = circle((0, 0), ‸)").completions();
+    let labels: Vec<&str> = labels
+        .iter()
+        .filter(|one| one.insert.ends_with(" = "))
+        .map(|one| one.label.as_str())
+        .collect();
+    assert!(labels.contains(&"radius") && !labels.contains(&"center"), "{labels:?}");
+    let part =
+        || MemoryFiles::from([("part.geo", "param beam = 3m\nfn f(size, by) = size * by\n")]);
+    let one = scene_with("let s = script(\"part.geo\", ‸)", part());
+    assert_eq!(one.completion("beam").insert, "beam = ");
+    let one = scene_with("import \"part.geo\"\nlet s = part.f(‸)", part());
+    assert_eq!(one.completion("by").insert, "by = ");
+}
+
+#[test]
+fn a_hover_measures() {
+    let told = |marked: &str| scene(marked).hover();
+    let ball = "surface ball = sphere((0, 0), 2)\nprint bal‸l";
+    assert!(told(ball).ends_with("area 50.2655 mm^2"), "{}", told(ball));
+    let block = "solid block = extrude(region(circle((0, 0), 1)), (0, 0, 2))\nprint bloc‸k";
+    assert!(told(block).ends_with("solid of 3 faces"), "that takes a closer look: {}", told(block));
+    let one = scene(block);
+    let measures = one.values.measures(one.values.value("block").expect("a value"));
+    assert_eq!(measures, "volume 6.28319 mm^3, area 18.8496 mm^2");
+    let param = "param width = 5mm in 1mm..9mm step 1mm \"How wide\"\nprint widt‸h";
+    assert_eq!(told(param), "```geo\nparam width in 1mm..9mm step 1mm\n```\n\n5 mm\n\n*How wide*");
+}
+
 #[test]
 fn a_signature_knows_its_argument() {
     let one = scene("let c = circle((0, 0), ‸");

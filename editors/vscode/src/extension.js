@@ -14,8 +14,8 @@ let preview;
 const command = () => vscode.workspace.getConfiguration("virote").get("path", "virote");
 
 const settings = () => {
-  const { inlayHints, codeLens } = vscode.workspace.getConfiguration("virote");
-  return { inlayHints, codeLens };
+  const { inlayHints, codeLens, hover } = vscode.workspace.getConfiguration("virote");
+  return { inlayHints, codeLens, hover };
 };
 
 /** Commands of the server; what it would show in a browser is shown beside the text. */

@@ -27,7 +27,7 @@ use self::{
 use super::{exit_status::ExitStatus, reporter::Reporter, run_args::RunArgs, settings};
 use crate::{
     disk::{Script, ScriptFiles},
-    eval::Setting,
+    eval::{Setting, TestFilter},
     export::io_reason,
     session::{Event, JobGate, Session},
 };
@@ -41,6 +41,9 @@ pub(super) struct TestOptions {
     /// Runs only the tests whose names contain this, and not the checks outside of them
     #[arg(long, value_name = "SUBSTRING")]
     filter: Option<String>,
+    /// Runs only the tests that are called exactly as `--filter` says
+    #[arg(long, requires = "filter")]
+    exact: bool,
     /// Rewrites golden folders with what the scripts say and write now; makes those of scripts that
     /// are named themselves
     #[arg(long, conflicts_with = "filter")]
@@ -53,6 +56,14 @@ pub(super) struct TestOptions {
     junit: Option<PathBuf>,
     #[command(flatten)]
     common: RunArgs,
+}
+
+impl TestOptions {
+    /// Which tests are run, unless it is all of them.
+    fn wanted(&self) -> Option<TestFilter<'_>> {
+        let kind = if self.exact { TestFilter::Named } else { TestFilter::Containing };
+        self.filter.as_deref().map(kind)
+    }
 }
 
 /// `virote test [PATH...]`: the worst ending of all.
@@ -80,7 +91,7 @@ pub(super) fn run(asked: &TestOptions) -> ExitStatus {
     let tests = TestRun {
         session,
         settings,
-        filter: asked.filter.as_deref(),
+        filter: asked.wanted(),
         bless: asked.bless,
         door: JobGate::default(),
     };
@@ -88,8 +99,11 @@ pub(super) fn run(asked: &TestOptions) -> ExitStatus {
     jobs::in_order(&found, n_jobs, |chosen| tests.script(chosen), |tried| teller.add(&tried));
     ending = ending.max(teller.ending());
     let is_missed = teller.n_tests() == 0 && ending == ExitStatus::Well;
-    if let Some(filter) = asked.filter.as_deref().filter(|_| is_missed) {
-        voice.trouble(&format!("no test has a name that contains `{filter}`"));
+    if let Some(filter) = asked.wanted().filter(|_| is_missed) {
+        voice.trouble(&match filter {
+            TestFilter::Containing(part) => format!("no test has a name that contains `{part}`"),
+            TestFilter::Named(name) => format!("no test is called `{name}`"),
+        });
         ending = ExitStatus::Usage;
     }
     teller.total();
@@ -143,7 +157,7 @@ fn scripts(path: &Path) -> Result<Vec<ChosenScript>, String> {
 struct TestRun<'a> {
     session: Session,
     settings: Vec<Setting>,
-    filter: Option<&'a str>,
+    filter: Option<TestFilter<'a>>,
     bless: bool,
     door: JobGate,
 }

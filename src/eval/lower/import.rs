@@ -5,7 +5,7 @@ use super::{
     Imported, Lowerer,
 };
 use crate::{
-    diag::{Code, Diagnostic, Span, nearest},
+    diag::{Code, Diagnostic, Fix, Span, nearest},
     syntax::{
         KEYWORDS,
         ast::{self, Import},
@@ -38,7 +38,11 @@ impl<'s> Lowerer<'_, 's> {
             let place = self.at(span);
             self.report(
                 Diagnostic::error(Code::Syntax, place, message)
-                    .hint(format!("name it: `import \"{quoted}\" as NAME`")),
+                    .hint(format!("name it: `import \"{quoted}\" as NAME`"))
+                    .fix(Fix::insert(
+                        Span::new(place.end, place.end),
+                        format!(" as {}", name_of(stem)),
+                    )),
             );
             return None;
         }
@@ -155,4 +159,12 @@ fn listed<'n>(names: impl Iterator<Item = &'n str>) -> Option<String> {
     let told: Vec<String> = names.by_ref().take(MOST_LISTED).collect();
     let rest = if names.next().is_some() { ", ..." } else { "" };
     (!told.is_empty()).then(|| format!("{}{rest}", told.join(", ")))
+}
+
+/// A name like the stem of a file.
+fn name_of(stem: &str) -> String {
+    let name: String = stem.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+    let is_name =
+        name.starts_with(|c: char| c.is_alphabetic()) && !KEYWORDS.contains(&name.as_str());
+    if is_name { name } else { format!("_{name}") }
 }

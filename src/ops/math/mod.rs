@@ -28,7 +28,7 @@ mod tan;
 mod tanh;
 
 use crate::{
-    diag::{Code, Diagnostic, Result, Span},
+    diag::{Code, Diagnostic, Fix, Result, Span},
     value::{
         BARE_AND_ANGLE, Ctx, Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector,
     },
@@ -196,9 +196,10 @@ fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {
     }
     let message = format!("`{text}` without a unit counts as radians");
     ctx.warn(
-        Diagnostic::warning(Code::DegreesMeant, angle, message).hint(format!(
-            "write `{text}deg` for degrees; `{text}rad` says that radians are meant"
-        )),
+        Diagnostic::warning(Code::DegreesMeant, angle, message)
+            .hint(format!("write `{text}deg` for degrees; `{text}rad` says that radians are meant"))
+            .fix(Fix::replace(angle, format!("{text}deg")))
+            .fix(Fix::replace(angle, format!("{text}rad"))),
     );
 }
 

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 
 use super::{bpt, csv, dat, obj};
 use crate::{
-    diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Result, Span, Spanned, nearest},
     limits::{
         Ceiling, Limits,
         work::{self, End},
@@ -47,13 +47,18 @@ const READERS: &[(&str, Reader)] = &[
     ("json", json),
 ];
 
+/// The endings of the files that can be loaded.
+pub(crate) fn loaded_endings() -> impl Iterator<Item = &'static str> {
+    READERS.iter().map(|&(ending, _)| ending)
+}
+
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let path: &str = &args.path.value;
     let span = args.path.span;
     let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
     let Some((_, reader)) = READERS.iter().find(|(known, _)| known.eq_ignore_ascii_case(ending))
     else {
-        let endings: Vec<&str> = READERS.iter().map(|&(known, _)| known).collect();
+        let endings: Vec<&str> = loaded_endings().collect();
         let diagnostic = Diagnostic::error(
             Code::UnknownFormat,
             span,
@@ -65,7 +70,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         )
         .hint(format!("formats that can be loaded are .{}", endings.join(", .")));
         return match nearest(ending, endings.iter().copied()) {
-            Some(near) => diagnostic.label(format!("did you mean `.{near}`?")).fail(),
+            Some(near) => {
+                let path = path.trim_end_matches(|c| c != '.');
+                let fix = Fix::replace(span, format!("\"{path}{near}\""));
+                diagnostic.label(format!("did you mean `.{near}`?")).fix(fix).fail()
+            }
             None => diagnostic.fail(),
         };
     };

@@ -34,6 +34,7 @@ use crate::{
 
 #[cfg(feature = "cli")]
 pub(crate) use csv_rows::csv_rows;
+pub(crate) use load::loaded_endings;
 
 pub(super) static OPS: &[&Op] = &[
     &of_faces::OP,

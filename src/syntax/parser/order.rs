@@ -1,7 +1,7 @@
 //! What can be said about the order of statements without evaluating any: `geo` stands first,
 //! and `geo`, `unit` and `tolerance` stand once each.
 
-use crate::diag::{Code, Diagnostic, Span};
+use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::{Expr, ExprKind, StatementKind, Tree};
 
 /// The edition of the language that this program knows.
@@ -46,12 +46,14 @@ fn check_edition(edition: &Expr<'_>) -> Option<Diagnostic> {
         ExprKind::Number(..) => {
             let message = "this program does not know that edition of the language";
             let diagnostic = Diagnostic::error(Code::WrongEdition, edition.span, message);
-            Some(diagnostic.hint("it knows edition 1: `geo 1`"))
+            Some(
+                diagnostic.hint("it knows edition 1: `geo 1`").fix(Fix::replace(edition.span, "1")),
+            )
         }
         _ => {
             let message = "the edition of the language is a number";
             let diagnostic = Diagnostic::error(Code::WrongEdition, edition.span, message);
-            Some(diagnostic.hint("write `geo 1`"))
+            Some(diagnostic.hint("write `geo 1`").fix(Fix::replace(edition.span, "1")))
         }
     }
 }

@@ -75,18 +75,68 @@ fn hovers() {
 }
 
 #[test]
+fn a_hover_has_a_picture_where_pictures_are_shown() {
+    let text = "surface ball = sphere((0, 0), 2)\nlet n = 3\n";
+    let shown = |capabilities: Json, line: u32, is_drawn: bool| {
+        let mut client = Client::with(capabilities, Json::Null);
+        client.open(URI, text);
+        client.findings(URI, 1);
+        let params = json!({ "textDocument": { "uri": URI }, "position": { "line": line, "character": 8 - 4 * line } });
+        // A picture that takes longer than a hover waits is there when it is asked for again.
+        for _ in 0..200 {
+            let contents = client.ask("textDocument/hover", params.clone())["contents"].clone();
+            if !is_drawn || contents["value"].as_str().unwrap().contains("![") {
+                return contents;
+            }
+        }
+        unreachable!("there is a picture")
+    };
+    let marked = json!({ "general": { "markdown": { "parser": "marked" } } });
+    let told = shown(marked.clone(), 0, true)["value"].as_str().unwrap().to_owned();
+    let (words, picture) = told.split_once("\n\n![](data:image/png;base64,").unwrap();
+    assert!(words.ends_with(", area 50.2655 mm^2"), "{words}");
+    assert!(picture.starts_with("iVBORw0KGgo") && picture.len() < 20_000);
+    assert!(!shown(marked.clone(), 1, false)["value"].as_str().unwrap().contains("!["));
+    assert!(
+        !shown(json!({}), 0, false)["value"].as_str().unwrap().contains("!["),
+        "as in a terminal"
+    );
+    let mut plain = marked;
+    plain["textDocument"] = json!({ "hover": { "contentFormat": ["plaintext"] } });
+    let told = shown(plain, 0, false);
+    assert_eq!(told["kind"], "plaintext");
+    assert!(!told["value"].as_str().unwrap().contains("!["));
+}
+
+#[test]
+fn a_lens_runs_the_test_of_its_name_alone() {
+    let mut client = Client::new();
+    client.open(URI, "test \"a\" { check true }\ntest \"ab\" { check false }\n");
+    let lenses = client.ask("textDocument/codeLens", json!({ "textDocument": { "uri": URI } }));
+    let told = client.ask("workspace/executeCommand", lenses[0]["command"].clone());
+    assert_eq!(told, json!({ "passed": true, "tests": [{ "name": "a", "verdict": "passed" }] }));
+    let told = client.ask("workspace/executeCommand", lenses[1]["command"].clone());
+    assert_eq!(told["passed"], false);
+}
+
+#[test]
 fn completions() {
     let (found, _) = asked(
         "textDocument/completion",
         "let width = 2mm\nlet b = circle((0, 0), wi‸)",
         Json::Null,
     );
-    let item = found.as_array().unwrap().iter().find(|item| item["label"] == "width").unwrap();
+    assert_eq!(found["isIncomplete"], true, "what does not go on from `wi` is left out");
+    let found = found["items"].as_array().unwrap();
+    assert!(found.iter().all(|item| item["label"] != "pi"));
+    let item = found.iter().find(|item| item["label"] == "width").unwrap();
     assert_eq!(
         (&item["detail"], &item["textEdit"]["range"]),
         (&json!("2 mm"), &range_of([1, 23, 1, 25]))
     );
-    let call = found.as_array().unwrap().iter().find(|item| item["label"] == "circle").unwrap();
+    let (found, _) = asked("textDocument/completion", "let b = cir‸", Json::Null);
+    let call = found["items"].as_array().unwrap();
+    let call = call.iter().find(|item| item["label"] == "circle").unwrap();
     assert_eq!(call["textEdit"]["newText"], "circle(${1:center}, ${2:radius}$0)");
     // Its page comes when somebody looks at it, and nothing else changes.
     assert_eq!(call["documentation"], Json::Null);

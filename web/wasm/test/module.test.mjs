@@ -47,6 +47,8 @@ test("the editor is helped, and mistakes are told at their places", async () => 
   assert.match(virote.ask({ call: "hover", line: 2, column: 10 }).value.text, /2 mm/);
   assert.deepEqual(virote.ask({ call: "definition", line: 2, column: 10 }).value.from, { line: 0, column: 6 });
   assert.ok(virote.ask({ call: "complete", line: 2, column: 11 }).value.some((one) => one.label === "r"));
+  assert.match(virote.ask({ call: "page", name: "circle" }).value, /radius/);
+  assert.equal(virote.ask({ call: "page", name: "nothing" }).value, null);
   const words = virote.ask({ call: "tokens" }).value.filter((one) => one.range.from.line === 1);
   assert.deepEqual(words.map((one) => one.kind), ["comment", "keyword", "variable", "operator", "function", "number", "number"]);
   assert.equal(virote.ask({ call: "signature", line: 1, column: 28 }).value[0].active, 0);

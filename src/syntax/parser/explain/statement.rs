@@ -147,7 +147,8 @@ pub(crate) fn trailing(
         Token::Within => place.wrong("`within` belongs to `~=`").hint("write `a ~= b within 1e-9`"),
         Token::In if keyword != Token::Param => place
             .wrong("only a `param` states its range")
-            .hint(format!("drop the range, or write `param` instead of {}", keyword.shown())),
+            .hint(format!("drop the range, or write `param` instead of {}", keyword.shown()))
+            .fix(Fix::replace(script.span(start), "param")),
         Token::With => place
             .wrong(format!("a {} takes no `with`", keyword.shown()))
             .hint("`with` belongs to definitions, `export` and `import`"),

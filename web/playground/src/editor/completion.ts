@@ -15,6 +15,8 @@ interface Offer {
   insert: string;
   /** With `${1:name}` where something is to be filled in, and `$0` where the cursor ends. */
   snippet: string | null;
+  /** Whether it is of a kind that is taken here. */
+  fits: boolean;
 }
 
 /** Kinds of the interpreter as the editor has pictures for them. */
@@ -53,9 +55,15 @@ export function completion(ask: Ask): Extension {
     const options = found
       .filter((offer) => offsetsOf(state.doc, offer.range).from === from)
       .map((offer): Completion => {
-        const { label, detail, docs, kind } = offer;
-        const info = docs ? { info: () => markdown(docs) } : {};
-        return { label, detail, ...info, type: TYPES[kind] ?? "text", boost: -ORDER.indexOf(kind), apply: apply(offer, Math.max(0, to - pos)) };
+        const { label, detail, docs, kind, fits } = offer;
+        // The page of a built-in comes when it is looked at.
+        const page = async (): Promise<Node | null> => {
+          const text = await ask<string | null>(state.doc.toString(), { call: "page", name: label }).catch(() => null);
+          return text ? markdown(text) : null;
+        };
+        const info = docs ? { info: () => markdown(docs) } : kind === "builtin" || kind === "constant" ? { info: page } : {};
+        const boost = (fits ? ORDER.length : 0) - ORDER.indexOf(kind);
+        return { label, detail, ...info, type: TYPES[kind] ?? "text", boost, apply: apply(offer, Math.max(0, to - pos)) };
       });
     return { from, options, validFor: /^[\p{L}\p{N}_]*$/u };
   };
