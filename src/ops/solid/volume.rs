@@ -1,10 +1,9 @@
 //! `volume` of a solid.
 
-use super::mass;
+use super::tell_accuracy;
 use crate::{
     diag::Result,
     kernel::VariedSolid,
-    ops::measure::MassOf,
     value::{At, Ctx, LengthPower, Real, RealSolid, Volume, op, with_slopes},
 };
 
@@ -21,7 +20,8 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
-    let volume = mass(args.s.plain(), MassOf::Volume, "volume", ctx)?.amount;
+    let (volume, relative_error) = args.s.plain().volume().at(ctx.span)?;
+    tell_accuracy("volume", relative_error, ctx)?;
     let slopes = args.s.varied().map(VariedSolid::volume_slopes);
     with_slopes(volume, slopes).map(LengthPower).at(ctx.span)
 }

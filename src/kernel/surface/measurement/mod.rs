@@ -10,6 +10,7 @@ pub(super) mod joint;
 pub(super) mod local;
 pub(super) mod mass;
 pub(super) mod quadrature;
+mod quadrature_cell;
 pub(super) mod shape;
 pub(super) mod shell;
 pub(super) mod umbilics;

@@ -2,7 +2,7 @@
 //!
 //! The tensor rule of Gauss and Legendre with 8 × 8 nodes is exact where the integrand is a
 //! polynomial of degree 15 in each parameter, as it is for volumes of bicubic patches. Each cell
-//! is compared with its halves along u and along v, and the cell that changes most is halved next,
+//! is compared with its halves along u and along v, and the cells that change most are halved next, each
 //! along the parameter by which it changes more: towards a pole or an edge where the integrand is
 //! not smooth the cells shrink in proportion. Along a straight and even way, as of an extrusion, quantities are
 //! polynomials of degree 3 at most, of which two nodes are enough.
@@ -15,6 +15,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::quadrature_cell::{
+    CellEstimate, IntegratedCell, QuadratureCell, ROUNDING, cells_to_cut,
+};
 use crate::{
     Direction, GeomError, Interval, NurbsSurface,
     ceiling::SURFACE_CUTS,
@@ -60,98 +63,6 @@ impl<const N: usize> IntegralValues<N> {
     pub(crate) fn relative_error(&self) -> f64 {
         let error = |i: usize| self.errors[i] / self.sizes[i].max(f64::MIN_POSITIVE);
         (0..N).map(error).fold(LAST_BIT, f64::max)
-    }
-}
-
-/// A rectangle of parameters of a part of the surface.
-#[derive(Clone, Copy, Debug)]
-struct QuadratureCell {
-    part: usize,
-    u: Interval,
-    v: Interval,
-}
-
-/// A quantity over a cell, its absolute value, and what it is made of.
-#[derive(Clone, Copy, Debug)]
-struct CellEstimate<const N: usize> {
-    values: [f64; N],
-    absolute: [f64; N],
-    parts: [f64; N],
-}
-
-/// A cell with its integral by the whole, and by the halves along u and along v.
-struct IntegratedCell<const N: usize> {
-    cell: QuadratureCell,
-    /// None along a way along which the whole is exact.
-    halves: [Option<[CellEstimate<N>; 2]>; 2],
-    values: [f64; N],
-    absolute: [f64; N],
-    parts: [f64; N],
-    /// How much the halves differ from the whole, along u and along v.
-    changes: [[f64; N]; 2],
-    /// By how much more than the changes it may be off.
-    factors: [[f64; N]; 2],
-}
-
-/// Changes that hardly fade are not taken to go on for longer than this many times the last.
-const MOST_TO_COME: f64 = 64.0;
-
-/// What of the size of a sum of many terms is rounding.
-const ROUNDING: f64 = 64.0 * LAST_BIT;
-
-impl<const N: usize> IntegratedCell<N> {
-    fn new(
-        cell: QuadratureCell,
-        whole: CellEstimate<N>,
-        halves: [Option<[CellEstimate<N>; 2]>; 2],
-    ) -> Self {
-        let sum = |[a, b]: &[CellEstimate<N>; 2], i: usize| a.values[i] + b.values[i];
-        let change = |pair: &Option<[CellEstimate<N>; 2]>, i: usize| {
-            pair.as_ref().map_or(0.0, |pair| sum(pair, i) - whole.values[i])
-        };
-        let changes = halves.each_ref().map(|pair| std::array::from_fn(|i| change(pair, i)));
-        // What either pair of halves corrects.
-        let values = std::array::from_fn(|i| whole.values[i] + changes[0][i] + changes[1][i]);
-        let finest = halves.iter().flatten().next();
-        let of_finest = |of: fn(&CellEstimate<N>) -> &[f64; N]| -> [f64; N] {
-            finest.map_or(*of(&whole), |[a, b]| std::array::from_fn(|i| of(a)[i] + of(b)[i]))
-        };
-        let absolute = of_finest(|estimate| &estimate.absolute);
-        let parts = of_finest(|estimate| &estimate.parts);
-        let changes = changes.map(|change: [f64; N]| change.map(f64::abs));
-        Self { cell, halves, values, absolute, parts, changes, factors: [[1.0; N]; 2] }
-    }
-
-    /// With what is known from the cell of which it is a half along a direction.
-    fn after(mut self, whole: &Self, direction: Direction) -> Self {
-        self.factors = whole.factors;
-        for i in 0..N {
-            let (change, before) = (self.changes[direction][i], whole.changes[direction][i]);
-            let is_rounding = change <= ROUNDING * self.absolute[i].max(self.parts[i]);
-            let to_come = if is_rounding { 1.0 } else { change / (before - change).max(0.0) };
-            self.factors[direction][i] = to_come.clamp(1.0, MOST_TO_COME);
-        }
-        self
-    }
-
-    /// How far quantity `i` may be off.
-    fn change(&self, i: usize) -> f64 {
-        [0, 1].map(|along| self.factors[along][i] * self.changes[along][i]).into_iter().sum()
-    }
-
-    /// The largest change as a fraction of what is allowed.
-    fn urgency(&self, allowed: [f64; N]) -> f64 {
-        (0..N).map(|i| self.change(i) / allowed[i]).fold(0.0, f64::max)
-    }
-
-    /// The parameter by which it changes more: u or v.
-    fn direction(&self, allowed: [f64; N]) -> Direction {
-        let along = |along: Direction| {
-            let change = |i: usize| self.factors[along][i] * self.changes[along][i];
-            (0..N).map(|i| change(i) / allowed[i]).fold(0.0, f64::max)
-        };
-        let [u, v] = Direction::BOTH.map(along);
-        if u < v { Direction::V } else { Direction::U }
     }
 }
 
@@ -295,24 +206,31 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
             QUADRATURE_RELATIVE * sizes[i] + ROUNDING * made_of[i] + f64::MIN_POSITIVE
         });
         let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
-        let urgency = |i: &usize| all[*i].urgency(allowed);
-        let worst = (0..all.len()).max_by(|i, k| urgency(i).total_cmp(&urgency(k)));
-        let Some(worst) = worst.filter(|_| !is_done && 0 < n_cuts) else {
+        if is_done || n_cuts == 0 {
             let values = of_all(&|known, i| known.values[i]);
             let since = late.filter(|_| !is_done).unwrap_or(values);
             let errors = std::array::from_fn(|i| changes[i].max((values[i] - since[i]).abs()));
             return Ok(IntegralValues { values, errors, sizes });
-        };
-        if n_cuts == LATE_CUTS {
+        }
+        let is_cut = cells_to_cut(&all, changes, allowed, n_cuts);
+        let n_left = n_cuts - is_cut.iter().filter(|&&is_cut| is_cut).count();
+        if n_left <= LATE_CUTS && LATE_CUTS < n_cuts {
             late = Some(of_all(&|known, i| known.values[i]));
         }
-        n_cuts -= 1;
-        let worst = all.swap_remove(worst);
-        let direction = worst.direction(allowed);
-        let halves = worst.cell.halves(direction).into_iter();
-        for (half, whole) in halves.zip(worst.halves[direction].into_iter().flatten()) {
-            all.push(known(half, whole)?.after(&worst, direction));
+        n_cuts = n_left;
+        let mut next = Vec::with_capacity(all.len() + SURFACE_CUTS - n_cuts);
+        for (known_cell, is_cut) in all.into_iter().zip(is_cut) {
+            if !is_cut {
+                next.push(known_cell);
+                continue;
+            }
+            let direction = known_cell.direction(allowed);
+            let halves = known_cell.cell.halves(direction).into_iter();
+            for (half, whole) in halves.zip(known_cell.halves[direction].into_iter().flatten()) {
+                next.push(known(half, whole)?.after(&known_cell, direction));
+            }
         }
+        all = next;
     }
 }
 
@@ -382,15 +300,4 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
         absolute: absolute.map(|mean| mean * size),
         parts: parts.map(|mean| mean * size),
     })
-}
-
-impl QuadratureCell {
-    /// The halves across u or across v.
-    fn halves(self, direction: Direction) -> [Self; 2] {
-        let Self { part, u, v } = self;
-        match direction {
-            Direction::U => u.halves().map(|u| Self { part, u, v }),
-            Direction::V => v.halves().map(|v| Self { part, u, v }),
-        }
-    }
 }
