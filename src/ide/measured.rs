@@ -72,7 +72,7 @@ fn measures(value: &Value, unit: &str) -> Option<String> {
         Value::Region(region) => area(Region::area(region)),
         Value::Face(face) => area(Face::mass_of(&[(**face).clone()]).ok()?.amount),
         Value::Solid(solid) => {
-            let volume = rounded(solid.volume().ok()?.0);
+            let volume = rounded(solid.volume_mass().ok()?.amount);
             format!("volume {volume} {unit}^3, {}", area(solid.area_mass().ok()?.amount))
         }
         Value::Mesh(mesh) => area(Mesh::area(mesh)),

@@ -48,7 +48,7 @@ impl Solid {
     /// than its area times how far it is from the middle.
     ///
     /// # Errors
-    /// Those of [`Self::topology`] and [`Self::volume`].
+    /// Those of [`Self::topology`] and [`Self::volume_mass`].
     pub fn contents(&self, tolerance: Tolerance) -> Result<SolidContents, GeomError> {
         let topology = self.topology(tolerance)?;
         let around = box_around(&self.faces);
@@ -58,7 +58,7 @@ impl Solid {
             edge.vertices.into_iter().for_each(|end| is_end[end] = true);
             lengths.push(edge.curve.length(edge.curve.domain()));
         }
-        let (volume, relative_error) = self.volume()?;
+        let volume = self.volume_mass()?;
         let widest = 2.0 * tolerance.distance_for(around.diagonal());
         let strips = widest * lengths.iter().sum::<f64>() * 0.5 * around.diagonal() / 3.0;
         Ok(SolidContents {
@@ -68,8 +68,8 @@ impl Solid {
             n_shells: self.shells.len(),
             n_bodies: self.bodies()?.len(),
             genus: topology.genus(),
-            volume,
-            volume_error: relative_error * volume + strips,
+            volume: volume.amount,
+            volume_error: volume.relative_error * volume.amount + strips,
             area: self.area_mass()?.amount,
             least_edge: lengths.into_iter().reduce(f64::min),
         })

@@ -5,9 +5,11 @@ use glam::DVec3;
 use super::{
     Solid, SolidError, box_around,
     caps::{PlaneCaps, plane_caps},
-    volume_within,
 };
-use crate::{Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, trim::amid};
+use crate::{
+    Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral,
+    trim::amid,
+};
 
 /// The faces of a solid beside a plane.
 struct FacesBeside {
@@ -70,7 +72,7 @@ impl Solid {
         let center = amid(&faces);
         let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());
         let ((told, error), (found, its_error)) =
-            (volume_within(&faces, in_plane)?, volume_within(&side.faces, center)?);
+            (volume(&faces, in_plane)?, volume(&side.faces, center)?);
         let areas = side.faces.iter().map(Face::area).collect::<Result<Vec<f64>, _>>()?;
         let rounding = error * told + its_error * found;
         let allowed = distance * areas.iter().sum::<f64>() + rounding;
@@ -139,6 +141,15 @@ impl Solid {
         }
         Ok(found)
     }
+}
+
+/// What faces that look outward enclose, by the flux of the way from a point, and by which fraction that may be wrong.
+fn volume(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
+    let mut flux = MassIntegral::<1>::default();
+    for face in faces {
+        flux.add(face.flux_from(about)?, 1.0);
+    }
+    flux.amount_of_volume()
 }
 
 /// How far below and above a plane a box reaches.

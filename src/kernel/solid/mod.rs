@@ -134,25 +134,6 @@ impl Solid {
         sum.volume(about)
     }
 
-    /// How much it encloses alone, and by which fraction that may be wrong.
-    ///
-    /// ```
-    /// use virote_kernel::{Frame, NurbsCurve, Region, Solid, Tolerance, glam::DVec3};
-    ///
-    /// let corners = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::ZERO];
-    /// let triangle = Region::new(&NurbsCurve::polyline(&corners)?, &[], Tolerance::DEFAULT)?;
-    /// let prism = Solid::extruded(&triangle, 3.0 * DVec3::Z, Tolerance::DEFAULT)?;
-    /// let (volume, relative_error) = prism.volume()?;
-    /// assert!((volume - 1.5).abs() < 1e-14 && relative_error < 1e-12);
-    /// # Ok::<(), virote_kernel::GeomError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// Those of [`Self::volume_mass`].
-    pub fn volume(&self) -> Result<(f64, f64), GeomError> {
-        volume_within(&self.faces, amid(&self.faces))
-    }
-
     /// The area of its faces, and how that is spread.
     ///
     /// # Errors
@@ -195,13 +176,4 @@ impl Solid {
 fn box_around<'f>(faces: impl IntoIterator<Item = &'f Face>) -> Bounds {
     let boxes = faces.into_iter().map(|face| face.surface().bounds());
     boxes.reduce(Bounds::union).unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO })
-}
-
-/// What faces that look outward enclose, by the flux of the way from a point, and by which fraction that may be wrong.
-fn volume_within(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
-    let mut flux = MassIntegral::<1>::default();
-    for face in faces {
-        flux.add(face.flux_from(about)?, 1.0);
-    }
-    flux.amount_of_volume()
 }

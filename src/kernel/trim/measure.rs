@@ -13,8 +13,8 @@ use glam::DVec3;
 
 use super::{Face, lift::affine_map};
 use crate::{
-    Bounds, Direction, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface,
-    Region, Tolerance,
+    Bounds, Frame, GeomError, Interval, MassProperties, NurbsCurve, NurbsSurface, Region,
+    Tolerance,
     surface::{
         Density, IntegralValues, MOMENT_KINDS, MassIntegral, ONE_MOMENT, QuadratureMap,
         QuantityKinds, Surface, far_share, integral, integral_over, moments,
@@ -54,12 +54,10 @@ impl QuadratureMap for ParameterPiece<'_> {
         Ok((point, along_u.cross(along_v), factor))
     }
 
-    fn even_way(&self) -> Option<Direction> {
+    fn even_ways(&self) -> [bool; 2] {
         match *self {
-            Self::Rectangle { surface, .. } => surface.translation_direction(),
-            Self::Strip { surface, .. } => {
-                surface.translation_direction().filter(|&way| way == Direction::U)
-            }
+            Self::Rectangle { surface, .. } => surface.even_ways(),
+            Self::Strip { surface, .. } => [surface.even_ways()[0], false],
         }
     }
 

@@ -1,9 +1,10 @@
 //! `volume` of a solid.
 
-use super::tell_accuracy;
+use super::mass;
 use crate::{
     diag::Result,
     kernel::VariedSolid,
+    ops::measure::MassOf,
     value::{At, Ctx, LengthPower, Real, RealSolid, Volume, op, with_slopes},
 };
 
@@ -20,8 +21,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
-    let (volume, relative_error) = args.s.plain().volume().at(ctx.span)?;
-    tell_accuracy("volume", relative_error, ctx)?;
+    let volume = mass(args.s.plain(), MassOf::Volume, "volume", ctx)?.amount;
     let slopes = args.s.varied().map(VariedSolid::volume_slopes);
     with_slopes(volume, slopes).map(LengthPower).at(ctx.span)
 }

@@ -77,8 +77,8 @@ pub(crate) trait QuadratureMap {
     /// Rectangles in which all is smooth.
     fn cells(&self) -> [Vec<Interval>; 2];
 
-    /// A direction along which points move evenly, and Su × Sv and the factor stay.
-    fn even_way(&self) -> Option<Direction>;
+    /// Along which directions points move evenly, and Su × Sv and the factor stay.
+    fn even_ways(&self) -> [bool; 2];
 }
 
 impl QuadratureMap for Surface {
@@ -97,10 +97,10 @@ impl QuadratureMap for Surface {
         Ok((point, along_u.cross(along_v), 1.0))
     }
 
-    fn even_way(&self) -> Option<Direction> {
+    fn even_ways(&self) -> [bool; 2] {
         match self {
-            Self::Nurbs(surface) => surface.translation_direction(),
-            Self::Parametric(_) => None,
+            Self::Nurbs(surface) => surface.even_ways(),
+            Self::Parametric(_) => [false; 2],
         }
     }
 
@@ -169,15 +169,15 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
     kinds: QuantityKinds<N>,
     density: impl Fn(DVec3, DVec3) -> D,
 ) -> Result<IntegralValues<N>, GeomError> {
-    let way = |map: &M| if kinds.are_moments { map.even_way() } else { None };
-    let ways: Vec<Option<Direction>> = parts.iter().map(way).collect();
+    let of_map = |map: &M| if kinds.are_moments { map.even_ways() } else { [false; 2] };
+    let ways: Vec<[bool; 2]> = parts.iter().map(of_map).collect();
     let rule = |cell: QuadratureCell| {
         quadrature((&parts[cell.part], ways[cell.part]), far, cell, &density)
     };
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
             let pair = |direction: Direction| -> Result<Option<[CellEstimate<N>; 2]>, GeomError> {
-                if ways[cell.part] == Some(direction) {
+                if ways[cell.part][direction] {
                     return Ok(None);
                 }
                 let [a, b] = cell.halves(direction);
@@ -256,7 +256,7 @@ fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
 /// What is added up is the difference from the middle of the cell, so that what does not change
 /// has its exact integral.
 fn quadrature<const N: usize, D: Into<Density<N>>>(
-    (map, way): (&impl QuadratureMap, Option<Direction>),
+    (map, ways): (&impl QuadratureMap, [bool; 2]),
     far: f64,
     cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> D,
@@ -272,7 +272,7 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
     let middle = at(cell.u.at(0.5), cell.v.at(0.5))?.values;
     let (mut means, mut absolute, mut parts) = ([0.0; N], [0.0; N], [0.0; N]);
     let nodes_along = |direction: Direction, interval: Interval| -> Vec<(f64, f64)> {
-        match way == Some(direction) {
+        match ways[direction] {
             true => nodes(&TWO_NODES, interval).collect(),
             false => nodes(&EIGHT_NODES, interval).collect(),
         }

@@ -35,6 +35,9 @@ pub(super) struct IntegratedCell<const N: usize> {
 /// Changes that hardly fade are not taken to go on for longer than this many times the last.
 const MOST_TO_COME: f64 = 64.0;
 
+/// Cells whose changes are this fraction of the largest change nearly as much.
+const NEARLY: f64 = 0.25;
+
 /// What of the size of a sum of many terms is rounding.
 pub(super) const ROUNDING: f64 = 64.0 * LAST_BIT;
 
@@ -105,8 +108,8 @@ impl QuadratureCell {
     }
 }
 
-/// Which cells are cut next, at most so many: those that change most, down to where what all others change together
-/// is allowed, so that they need not be looked at one by one.
+/// Which cells are cut next, at most so many: those that change nearly as much as the one that changes most, down to
+/// where what all others change together is allowed, so that they need not be looked at one by one.
 pub(super) fn cells_to_cut<const N: usize>(
     all: &[IntegratedCell<N>],
     mut changes: [f64; N],
@@ -117,7 +120,8 @@ pub(super) fn cells_to_cut<const N: usize>(
         all.iter().enumerate().map(|(idx, cell)| (cell.urgency(allowed), idx)).collect();
     order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let mut is_cut = vec![false; all.len()];
-    for (_, idx) in order.into_iter().take(n_most) {
+    let least = order.first().map_or(0.0, |(most, _)| NEARLY * most);
+    for (_, idx) in order.into_iter().take(n_most).take_while(|(urgency, _)| least <= *urgency) {
         is_cut[idx] = true;
         changes.iter_mut().enumerate().for_each(|(i, left)| *left -= all[idx].change(i));
         if (0..N).all(|i| changes[i] <= allowed[i]) {

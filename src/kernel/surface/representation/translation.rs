@@ -9,31 +9,26 @@ use crate::{
 const BITS: f64 = 4.0;
 
 impl NurbsSurface {
-    /// The direction along which points move evenly, all in the same way, so that Su × Sv stays as it is; none of a
-    /// surface that is no extrusion of one span.
-    pub(crate) fn translation_direction(&self) -> Option<Direction> {
-        Direction::BOTH.into_iter().find(|&along| {
-            let (degree, n) = match along {
-                Direction::U => (self.degree_u(), self.control_points().n_rows()),
-                Direction::V => (self.degree_v(), self.control_points().n_columns()),
-            };
-            if [degree, n] != [1, 2] {
+    /// Along which directions points move evenly, all in the same way, so that Su × Sv stays as it is: of an extrusion
+    /// of one span along its way, of a parallelogram along both.
+    pub(crate) fn even_ways(&self) -> [bool; 2] {
+        let net = self.control_points();
+        let within = BITS * LAST_BIT * self.bounds().magnitude();
+        Direction::BOTH.map(|along| {
+            let lines = if along == Direction::U { net.transposed() } else { net.clone() };
+            let degree = [self.degree_u(), self.degree_v()][along];
+            if [degree, lines.n_columns()] != [1, 2] {
                 return false;
             }
-            let net = self.control_points();
-            let pair = |i: usize| match along {
-                Direction::U => [net.get(0, i), net.get(1, i)],
-                Direction::V => [net.get(i, 0), net.get(i, 1)],
-            };
-            let n_pairs = net.n_rows() * net.n_columns() / 2;
-            let is_even = |i: usize| (pair(i)[0].w - pair(i)[1].w).abs() <= 0.0;
             let way = |i: usize| {
-                let [from, to] = pair(i).map(|point| point.truncate() / point.w);
+                let [from, to] = [0, 1].map(|j| lines.get(i, j)).map(|p| p.truncate() / p.w);
                 to - from
             };
             let first = way(0);
-            let within = BITS * LAST_BIT * self.bounds().magnitude();
-            (0..n_pairs).all(|i| is_even(i) && (way(i) - first).abs().max_element() <= within)
+            (0..lines.n_rows()).all(|i| {
+                let has_one_weight = (lines.get(i, 0).w - lines.get(i, 1).w).abs() <= 0.0;
+                has_one_weight && (way(i) - first).abs().max_element() <= within
+            })
         })
     }
 }

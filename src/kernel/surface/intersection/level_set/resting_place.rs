@@ -8,6 +8,10 @@ use crate::{
     tolerance::{LAST_BIT, PARAMETER_RELATIVE},
 };
 
+/// Widths of a cell by which the place may lie beside its middle: where rounding leaves several cells about it, none
+/// but one holds it.
+const REACH: f64 = 4.0;
+
 /// The slopes of a field on a patch, and theirs.
 pub(super) struct FieldSlopes {
     first: [Grid<f64>; 2],
@@ -25,8 +29,9 @@ impl FieldSlopes {
     /// The one place, by fractions of the patch, about which a cell of these widths lies and where both slopes vanish, by
     /// Newton's method; none where the field bends in one direction alone, as where it touches zero along a line.
     pub(super) fn resting_place(&self, middle: [f64; 2], widths: [f64; 2]) -> Option<[f64; 2]> {
-        let limits =
-            [0, 1].map(|i| [(middle[i] - widths[i]).max(0.0), (middle[i] + widths[i]).min(1.0)]);
+        let limits = [0, 1].map(|i| {
+            [(middle[i] - REACH * widths[i]).max(0.0), (middle[i] + REACH * widths[i]).min(1.0)]
+        });
         let is_still =
             |a: [f64; 2], b: [f64; 2]| (0..2).all(|i| (a[i] - b[i]).abs() <= PARAMETER_RELATIVE);
         within_limits(limits, middle, NEWTON_STEPS, is_still, |at| {
