@@ -3238,7 +3238,7 @@ def normal_plane(c: Curve, t: float, *, side: str | None = None) -> Frame:
 
 
 def num(text: str) -> float:
-    """Number that a text spells. Nobody has said what it measures, as of a coordinate.
+    """Number that a text spells. Nobody has said what it measures, as of a coordinate. Derivatives end at texts: it counts as fixed, whatever the text was made of.
 
     :param text: The text, such as "12.5" or "1e-3".
 
@@ -4258,7 +4258,8 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
 
     Where the function has different signs at both ends, the root between them is found in some ten steps, as
     exactly as numbers tell it. Where it has the same sign, the range is divided until it has not, and at last the
-    place where it is nearest to zero is looked at, since it may only touch zero there; of such a place half of the digits are known. A jump over zero, such as
+    place where it is nearest to zero is looked at, since it may only touch zero there; of such a place half of the digits are known.
+    What a bare unknown measures stays open where the function's values are open, as of coordinates. A jump over zero, such as
     a pole, is no root, and a stretch along which the function is 0 is refused. With `all = true` the answer is a
     list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the

@@ -18,6 +18,19 @@ impl Fix {
         Self { title: format!("write `{}`", text.trim()), edits: vec![(span, text)] }
     }
 
+    /// Another ending in a string with a file's name; none where the string is not written as it reads.
+    pub fn ending(string: Span, name: &str, ending: &str, near: &str) -> Option<Self> {
+        /// Quotation marks around it.
+        const QUOTED: usize = 2;
+        let is_verbatim = (string.end - string.start) as usize == name.len() + QUOTED;
+        let end = string.end - 1;
+        let span = Span { start: end - u32::try_from(ending.len()).ok()?, end };
+        is_verbatim.then(|| Self {
+            title: format!("write `.{near}`"),
+            edits: vec![(span, near.to_owned())],
+        })
+    }
+
     /// `text` at `span`, which is empty.
     pub fn insert(span: Span, text: impl Into<String>) -> Self {
         let text = text.into();

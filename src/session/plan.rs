@@ -156,25 +156,23 @@ const REPORT_HINT: &str =
 
 fn unknown_format(path: &str, span: Span) -> Diagnostic {
     let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    let (message, near) = match file.rsplit_once('.') {
-        Some((_, ending)) => (
-            format!("no format has the ending `.{ending}`"),
-            nearest(
-                ending,
-                FORMATS.iter().flat_map(|format| {
-                    std::iter::once(format.ending).chain(format.aliases.iter().copied())
-                }),
-            ),
-        ),
-        None => (format!("`{path}` has no ending, which would choose the format"), None),
+    let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
+    let known = FORMATS
+        .iter()
+        .flat_map(|format| std::iter::once(format.ending).chain(format.aliases.iter().copied()));
+    let (message, near) = match ending {
+        "" => (format!("`{path}` has no ending, which would choose the format"), None),
+        _ => (format!("no format has the ending `.{ending}`"), nearest(ending, known)),
     };
     let diagnostic = Diagnostic::error(Code::UnknownFormat, span, message)
         .hint(format!("formats are {}", endings(|_| true)));
     match near {
         Some(near) => {
-            let path = path.trim_end_matches(|c| c != '.');
-            let fix = Fix::replace(span, format!("\"{path}{near}\""));
-            diagnostic.label(format!("did you mean `.{near}`?")).fix(fix)
+            let diagnostic = diagnostic.label(format!("did you mean `.{near}`?"));
+            match Fix::ending(span, path, ending, near) {
+                Some(fix) => diagnostic.fix(fix),
+                None => diagnostic,
+            }
         }
         None => diagnostic,
     }

@@ -17,3 +17,9 @@ print [for t in [p.x, p.y]: lerp(1mm, 2mm, t)]
 check len(solve(x => (x - 1)^2 + 1e-13, within = 0..3, all = true)) == 0
 check solve(x => (x - 1)^2, within = 0..3) == 1
 check solve(x => (x^2 - 2)^2 * exp(x), within = 0..3) ~= sqrt(2)
+
+// Zero itself is such a place as well, wherever the range begins.
+let touching = [x => x^2, x => x * x, x => x^4, x => abs(x), x => 1 - cos(x) + x^2, x => cosh(x) - 1 + x^2]
+let ranges = [-1..2, -10..25, -0.3..0.7, -1..1]
+check every(touching, f => every(ranges, r => abs(solve(f, within = r)) < 1e-7))
+check every(touching, f => every(ranges, r => len(solve(f, within = r, all = true)) == 1))

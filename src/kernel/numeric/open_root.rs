@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     ceiling::BISECTIONS,
-    tolerance::{OPEN_WIDTH_RELATIVE, ROOT_RELATIVE},
+    tolerance::{LAST_BIT, OPEN_WIDTH_RELATIVE, ROOT_RELATIVE},
 };
 
 /// A root that no bracket proves.
@@ -21,7 +21,7 @@ pub(super) struct OpenRoot {
 /// all that is searched.
 ///
 /// No sample tells where a function only touches zero at a place between two numbers of the computer. There its slope
-/// changes its sign, and its bounds at that place hold zero. What is zero as far as rounding tells all along a part
+/// changes its sign, and its bounds about that place, as far as rounding moves it in the whole, hold zero. What is zero as far as rounding tells all along a part
 /// that is narrow beside the whole is one root, in its middle.
 ///
 /// # Errors
@@ -35,18 +35,22 @@ pub(super) fn roots_in_open<E>(
     let [low, high] = interval;
     let is_narrow = high - low <= OPEN_WIDTH_RELATIVE * whole;
     let rest = resting_place(bounds, interval);
-    let at_rest = rest.and_then(|at| bounds([at, at]));
-    let parts = match (rest, at_rest) {
-        (Some(at), Some(found)) if found.may_vanish() => {
+    let around =
+        |at: f64| [at - LAST_BIT * whole, at + LAST_BIT * whole].map(|at| at.clamp(low, high));
+    let parts = match rest {
+        Some(at) if is_zero(bounds, around(at)) => {
+            // Of a place that is zero to rounding, too, zero itself is told.
+            let [from, to] = around(at);
+            let at = if from <= 0.0 && 0.0 <= to { 0.0 } else { at };
             return Ok(vec![OpenRoot {
                 sample: Sample { at, value: function(at)? },
                 is_at_rest: true,
             }]);
         }
-        (Some(at), Some(_)) if low < at && at < high => vec![[low, at], [at, high]],
+        Some(at) if low < at && at < high => vec![[low, at], [at, high]],
         _ => vec![interval],
     };
-    let mut is_zero = |at: f64| is_zero(bounds, at);
+    let mut is_zero = |at: f64| is_zero(bounds, around(at));
     let mut roots = Vec::new();
     for part in parts {
         let found = find_root(&mut *function, part);
@@ -82,7 +86,8 @@ pub(super) fn told_apart(
         let [from, to] = [a.sample.at, b.sample.at];
         let mut between = PLACES_BETWEEN.into_iter().map(|share| from + share * (to - from));
         to - from <= ROOT_RELATIVE * whole
-            || (to - from <= OPEN_WIDTH_RELATIVE * whole && between.all(|at| is_zero(bounds, at)))
+            || (to - from <= OPEN_WIDTH_RELATIVE * whole
+                && between.all(|at| is_zero(bounds, [at, at])))
     };
     let one = |same: &[OpenRoot]| {
         let at_rest = same.iter().find(|root| root.is_at_rest);
@@ -91,8 +96,9 @@ pub(super) fn told_apart(
     roots.chunk_by(is_same).map(one).collect()
 }
 
-fn is_zero(bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>, at: f64) -> bool {
-    bounds([at, at]).is_some_and(|bounds| bounds.may_vanish())
+/// Whether a function may be zero in an interval.
+fn is_zero(bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>, interval: [f64; 2]) -> bool {
+    bounds(interval).is_some_and(|bounds| bounds.may_vanish())
 }
 
 /// Where a function is looked at between two roots that may be one, as shares of the way.

@@ -71,9 +71,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         .hint(format!("formats that can be loaded are .{}", endings.join(", .")));
         return match nearest(ending, endings.iter().copied()) {
             Some(near) => {
-                let path = path.trim_end_matches(|c| c != '.');
-                let fix = Fix::replace(span, format!("\"{path}{near}\""));
-                diagnostic.label(format!("did you mean `.{near}`?")).fix(fix).fail()
+                let diagnostic = diagnostic.label(format!("did you mean `.{near}`?"));
+                match Fix::ending(span, path, ending, near) {
+                    Some(fix) => diagnostic.fix(fix).fail(),
+                    None => diagnostic.fail(),
+                }
             }
             None => diagnostic.fail(),
         };

@@ -29,6 +29,9 @@ use crate::{
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
 const FUNCTION_PARTS: usize = 4;
 
+/// Steps that a cell takes, of which each asks for some places.
+const CELL_STEPS: usize = 64;
+
 /// How an integral whose cuts run out changes within the last quarter of them is how far it may be
 /// off at least: cells that are wider than what happens in them agree with their halves by chance.
 const LATE_CUTS: usize = SURFACE_CUTS / 4;
@@ -176,6 +179,7 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
     };
     let known =
         |cell: QuadratureCell, whole: CellEstimate<N>| -> Result<IntegratedCell<N>, GeomError> {
+            GeomError::go_on(CELL_STEPS)?;
             let pair = |direction: Direction| -> Result<Option<[CellEstimate<N>; 2]>, GeomError> {
                 if ways[cell.part][direction] {
                     return Ok(None);
@@ -205,6 +209,9 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
         let allowed: [f64; N] = std::array::from_fn(|i| {
             QUADRATURE_RELATIVE * sizes[i] + ROUNDING * made_of[i] + f64::MIN_POSITIVE
         });
+        if !sizes.iter().chain(&changes).all(|sum| sum.is_finite()) {
+            return Ok(IntegralValues { values: [f64::NAN; N], errors: changes, sizes });
+        }
         let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
         if is_done || n_cuts == 0 {
             let values = of_all(&|known, i| known.values[i]);
@@ -212,12 +219,12 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
             let errors = std::array::from_fn(|i| changes[i].max((values[i] - since[i]).abs()));
             return Ok(IntegralValues { values, errors, sizes });
         }
-        let is_cut = cells_to_cut(&all, changes, allowed, n_cuts);
-        let n_left = n_cuts - is_cut.iter().filter(|&&is_cut| is_cut).count();
-        if n_left <= LATE_CUTS && LATE_CUTS < n_cuts {
+        if n_cuts == LATE_CUTS {
             late = Some(of_all(&|known, i| known.values[i]));
         }
-        n_cuts = n_left;
+        let n_most = if LATE_CUTS < n_cuts { n_cuts - LATE_CUTS } else { n_cuts };
+        let is_cut = cells_to_cut(&all, changes, allowed, n_most);
+        n_cuts -= is_cut.iter().filter(|&&is_cut| is_cut).count();
         let mut next = Vec::with_capacity(all.len() + SURFACE_CUTS - n_cuts);
         for (known_cell, is_cut) in all.into_iter().zip(is_cut) {
             if !is_cut {
