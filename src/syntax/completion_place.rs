@@ -82,17 +82,19 @@ impl CompletionPlace<'_> {
 
 /// The brace of an interpolation that is open at the end of a string's text.
 fn open_brace(text: &str) -> Option<usize> {
-    let (mut open, mut is_escaped) = (None, false);
+    let (mut open, mut is_escaped) = (Vec::new(), false);
     for (at, c) in text.char_indices() {
         match c {
             _ if is_escaped => is_escaped = false,
             '\\' => is_escaped = true,
-            '{' => open = Some(at),
-            '}' => open = None,
+            '{' => open.push(at),
+            '}' => {
+                open.pop();
+            }
             _ => {}
         }
     }
-    open
+    open.first().copied()
 }
 
 /// Where what ends with token `last` begins: a name or brackets with fields, elements and calls behind.

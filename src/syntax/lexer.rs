@@ -292,7 +292,16 @@ impl<'s> Scanner<'s> {
             Diagnostic::error(Code::StrayText, span, format!("`{text}` means nothing here"));
         let diagnostic = diagnostic.label("not part of the language").hint(hint);
         self.complain(match meant {
-            _ if text == "°" => diagnostic.fix(Fix::replace(span, "deg")),
+            _ if text == "°" => {
+                // Glued to the number.
+                let is_blank = |number: &Span| {
+                    let between = &self.source[number.end as usize..span.start as usize];
+                    between.bytes().all(|byte| byte == b' ')
+                };
+                let number = self.out.spans.last().copied().filter(is_blank);
+                let start = number.map_or(span.start, |number| number.end);
+                diagnostic.fix(Fix::replace(Span::new(start, span.end), "deg"))
+            }
             Token::Bad => diagnostic,
             meant => diagnostic.fix(Fix::replace(span, meant.text())),
         });

@@ -70,6 +70,7 @@ fn habits_from_elsewhere_are_mended() {
     check("print true && false", "print true and false");
     check("print 3 × 4", "print 3 * 4");
     check("print sin(30°)", "print sin(30deg)");
+    check("print sin(30 °)", "print sin(30deg)");
     check("# a note\nprint 1", "// a note\nprint 1");
     check(
         "curve c = line((0, 0), (1, 0)) with (color = #cc3333)",

@@ -8,9 +8,6 @@ use crate::Interval;
 /// A rule on −1..1 by its positive nodes, each with its weight; the negative ones mirror them.
 pub(crate) type GaussRule<const HALF: usize> = [[f64; 2]; HALF];
 
-/// The rule with 2 nodes.
-pub(crate) const TWO_NODES: GaussRule<1> = [[0.577_350_269_189_625_8, 1.0]];
-
 /// The rule with 8 nodes.
 pub(crate) const EIGHT_NODES: GaussRule<4> = [
     [0.183_434_642_495_649_8, 0.362_683_783_378_362],

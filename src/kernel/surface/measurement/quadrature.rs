@@ -2,10 +2,10 @@
 //!
 //! The tensor rule of Gauss and Legendre with 8 × 8 nodes is exact where the integrand is a
 //! polynomial of degree 15 in each parameter, as it is for volumes of bicubic patches. Each cell
-//! is compared with its halves along u and along v, and the cells that change most are halved next, each
+//! is compared with its halves along u and along v, and the cell that changes most is halved next,
 //! along the parameter by which it changes more: towards a pole or an edge where the integrand is
 //! not smooth the cells shrink in proportion. Along a straight and even way, as of an extrusion, quantities are
-//! polynomials of degree 3 at most, of which two nodes are enough.
+//! polynomials of degree 3 at most, for which Simpson's rule is exact.
 //!
 //! How far an integral may be off is told by its changes. Where these fade from one halving to the
 //! next by a factor ρ, what is still to come is ρ/(1 − ρ) of the last one: little of a smooth
@@ -15,15 +15,13 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::quadrature_cell::{
-    CellEstimate, IntegratedCell, QuadratureCell, ROUNDING, cells_to_cut,
-};
+use super::quadrature_cell::{CellEstimate, IntegralCells, IntegratedCell, QuadratureCell};
 use crate::{
     Direction, GeomError, Interval, NurbsSurface,
     ceiling::SURFACE_CUTS,
-    numeric::gauss_legendre::{EIGHT_NODES, TWO_NODES, nodes},
+    numeric::gauss_legendre::{EIGHT_NODES, nodes},
     surface::{Surface, representation::even::evened},
-    tolerance::{BESIDE_CREASE, FAR_SHARE, LAST_BIT, QUADRATURE_RELATIVE},
+    tolerance::{BESIDE_CREASE, FAR_SHARE, LAST_BIT},
 };
 
 /// Even parts of each domain of a function, which has no knots, that are looked at first.
@@ -189,56 +187,33 @@ pub(crate) fn integral_over<const N: usize, M: QuadratureMap, D: Into<Density<N>
             };
             Ok(IntegratedCell::new(cell, whole, [pair(Direction::U)?, pair(Direction::V)?]))
         };
-    let mut all: Vec<IntegratedCell<N>> = Vec::new();
+    let mut first = Vec::new();
     for cell in parts.iter().enumerate().flat_map(|(part, map)| cells(part, map)) {
-        all.push(known(cell, rule(cell)?)?);
+        first.push(known(cell, rule(cell)?)?);
     }
-    let (mut n_cuts, mut late) = (SURFACE_CUTS, None);
-    loop {
-        GeomError::go_on(all.len())?;
-        let of_all = |f: &dyn Fn(&IntegratedCell<N>, usize) -> f64| -> [f64; N] {
-            std::array::from_fn(|i| all.iter().map(|known| f(known, i)).sum())
-        };
-        let alone = of_all(&|known, i| known.absolute[i]);
-        let of_kind = |i: usize| (0..N).filter(move |&k| kinds.numbers[k] == kinds.numbers[i]);
-        let largest = |all: [f64; N]| -> [f64; N] {
-            std::array::from_fn(|i| of_kind(i).map(|k| all[k]).fold(0.0, f64::max))
-        };
-        let (sizes, made_of) = (largest(alone), largest(of_all(&|known, i| known.parts[i])));
-        let changes = of_all(&IntegratedCell::change);
-        let allowed: [f64; N] = std::array::from_fn(|i| {
-            QUADRATURE_RELATIVE * sizes[i] + ROUNDING * made_of[i] + f64::MIN_POSITIVE
-        });
-        if !sizes.iter().chain(&changes).all(|sum| sum.is_finite()) {
-            return Ok(IntegralValues { values: [f64::NAN; N], errors: changes, sizes });
+    let (mut all, mut late) = (IntegralCells::new(first, kinds.numbers), None);
+    for n_left in (0..SURFACE_CUTS).rev() {
+        if all.is_beyond_numbers() {
+            let nowhere = [f64::INFINITY; N];
+            return Ok(IntegralValues { values: [f64::NAN; N], errors: nowhere, sizes: nowhere });
         }
-        let is_done = (0..N).all(|i| changes[i] <= allowed[i]);
-        if is_done || n_cuts == 0 {
-            let values = of_all(&|known, i| known.values[i]);
-            let since = late.filter(|_| !is_done).unwrap_or(values);
-            let errors = std::array::from_fn(|i| changes[i].max((values[i] - since[i]).abs()));
-            return Ok(IntegralValues { values, errors, sizes });
+        let Some(worst) = all.most_urgent() else { break };
+        if n_left == LATE_CUTS {
+            late = Some(all.values());
         }
-        if n_cuts == LATE_CUTS {
-            late = Some(of_all(&|known, i| known.values[i]));
-        }
-        let n_most = if LATE_CUTS < n_cuts { n_cuts - LATE_CUTS } else { n_cuts };
-        let is_cut = cells_to_cut(&all, changes, allowed, n_most);
-        n_cuts -= is_cut.iter().filter(|&&is_cut| is_cut).count();
-        let mut next = Vec::with_capacity(all.len() + SURFACE_CUTS - n_cuts);
-        for (known_cell, is_cut) in all.into_iter().zip(is_cut) {
-            if !is_cut {
-                next.push(known_cell);
-                continue;
-            }
-            let direction = known_cell.direction(allowed);
-            let halves = known_cell.cell.halves(direction).into_iter();
-            for (half, whole) in halves.zip(known_cell.halves[direction].into_iter().flatten()) {
-                next.push(known(half, whole)?.after(&known_cell, direction));
-            }
-        }
-        all = next;
+        let whole = all.cell(worst);
+        let direction = whole.direction(all.allowed());
+        // Along an even way there is nothing to cut.
+        let Some(estimates) = whole.halves[direction] else { continue };
+        let [low, high] = whole.cell.halves(direction);
+        let halves = [(low, estimates[0]), (high, estimates[1])]
+            .map(|(half, estimate)| known(half, estimate).map(|half| half.after(whole, direction)));
+        let [low, high] = halves;
+        all.replace(worst, [low?, high?]);
     }
+    let values = all.values();
+    let [errors, sizes] = all.errors_and_sizes(late);
+    Ok(IntegralValues { values, errors, sizes })
 }
 
 /// The surface, or patches of it whose weights are alike.
@@ -280,7 +255,9 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
     let (mut means, mut absolute, mut parts) = ([0.0; N], [0.0; N], [0.0; N]);
     let nodes_along = |direction: Direction, interval: Interval| -> Vec<(f64, f64)> {
         match ways[direction] {
-            true => nodes(&TWO_NODES, interval).collect(),
+            true => [(0.0, 1.0), (0.5, 4.0), (1.0, 1.0)]
+                .map(|(share, weight)| (interval.at(share), weight / 6.0))
+                .to_vec(),
             false => nodes(&EIGHT_NODES, interval).collect(),
         }
     };

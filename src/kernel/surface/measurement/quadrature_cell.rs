@@ -1,6 +1,11 @@
 //! Cells of an integral over a surface, with what their halves tell of how well they are known.
 
-use crate::{Direction, Interval, tolerance::LAST_BIT};
+use std::{cmp::Reverse, collections::BinaryHeap};
+
+use crate::{
+    Direction, Interval,
+    tolerance::{LAST_BIT, QUADRATURE_RELATIVE},
+};
 
 /// A rectangle of parameters of a part of the surface.
 #[derive(Clone, Copy, Debug)]
@@ -35,11 +40,8 @@ pub(super) struct IntegratedCell<const N: usize> {
 /// Changes that hardly fade are not taken to go on for longer than this many times the last.
 const MOST_TO_COME: f64 = 64.0;
 
-/// Cells whose changes are this fraction of the largest change nearly as much.
-const NEARLY: f64 = 0.25;
-
 /// What of the size of a sum of many terms is rounding.
-pub(super) const ROUNDING: f64 = 64.0 * LAST_BIT;
+const ROUNDING: f64 = 64.0 * LAST_BIT;
 
 impl<const N: usize> IntegratedCell<N> {
     pub(super) fn new(
@@ -108,25 +110,118 @@ impl QuadratureCell {
     }
 }
 
-/// Which cells are cut next, at most so many: those that change nearly as much as the one that changes most, down to
-/// where what all others change together is allowed, so that they need not be looked at one by one.
-pub(super) fn cells_to_cut<const N: usize>(
-    all: &[IntegratedCell<N>],
-    mut changes: [f64; N],
-    allowed: [f64; N],
-    n_most: usize,
-) -> Vec<bool> {
-    let mut order: Vec<(f64, usize)> =
-        all.iter().enumerate().map(|(idx, cell)| (cell.urgency(allowed), idx)).collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut is_cut = vec![false; all.len()];
-    let least = order.first().map_or(0.0, |(most, _)| NEARLY * most);
-    for (_, idx) in order.into_iter().take(n_most).take_while(|(urgency, _)| least <= *urgency) {
-        is_cut[idx] = true;
-        changes.iter_mut().enumerate().for_each(|(i, left)| *left -= all[idx].change(i));
-        if (0..N).all(|i| changes[i] <= allowed[i]) {
-            break;
+/// What cells sum up to: how much they may be off, their absolute values, and what they are made of.
+#[derive(Clone, Copy)]
+struct CellTotals<const N: usize> {
+    changes: [f64; N],
+    absolute: [f64; N],
+    parts: [f64; N],
+}
+
+impl<const N: usize> CellTotals<N> {
+    fn of(cells: &[IntegratedCell<N>]) -> Self {
+        let mut totals = Self { changes: [0.0; N], absolute: [0.0; N], parts: [0.0; N] };
+        cells.iter().for_each(|cell| totals.add(cell, 1.0));
+        totals
+    }
+
+    /// Adds a cell, or takes it away.
+    fn add(&mut self, cell: &IntegratedCell<N>, sign: f64) {
+        for i in 0..N {
+            self.changes[i] += sign * cell.change(i);
+            self.absolute[i] += sign * cell.absolute[i];
+            self.parts[i] += sign * cell.parts[i];
         }
     }
-    is_cut
+}
+
+/// The cells of an integral, of which the one that changes most is always at hand.
+pub(super) struct IntegralCells<const N: usize> {
+    cells: Vec<IntegratedCell<N>>,
+    totals: CellTotals<N>,
+    /// How urgently each is to be cut, as bits of a number that is not negative, and its number.
+    queue: BinaryHeap<(u64, Reverse<usize>)>,
+    /// For each quantity the number of its kind.
+    kinds: [usize; N],
+}
+
+impl<const N: usize> IntegralCells<N> {
+    pub(super) fn new(cells: Vec<IntegratedCell<N>>, kinds: [usize; N]) -> Self {
+        let (totals, queue) = (CellTotals::of(&cells), BinaryHeap::new());
+        let mut all = Self { cells, totals, queue, kinds };
+        (0..all.cells.len()).for_each(|number| all.wait(number));
+        all
+    }
+
+    /// Puts a cell into the queue.
+    fn wait(&mut self, number: usize) {
+        let urgency = self.cells[number].urgency(self.allowed());
+        self.queue.push((urgency.to_bits(), Reverse(number)));
+    }
+
+    /// Of each quantity the largest of its kind.
+    fn largest(&self, sums: [f64; N]) -> [f64; N] {
+        let of_kind = |i: usize| (0..N).filter(move |&k| self.kinds[k] == self.kinds[i]);
+        std::array::from_fn(|i| of_kind(i).map(|k| sums[k]).fold(0.0, f64::max))
+    }
+
+    /// By how much each quantity may be off.
+    pub(super) fn allowed(&self) -> [f64; N] {
+        let sizes = self.largest(self.totals.absolute);
+        let made_of = self.largest(self.totals.parts);
+        std::array::from_fn(|i| {
+            QUADRATURE_RELATIVE * sizes[i] + ROUNDING * made_of[i] + f64::MIN_POSITIVE
+        })
+    }
+
+    /// Whether the integral is beyond numbers.
+    pub(super) fn is_beyond_numbers(&self) -> bool {
+        let CellTotals { changes, absolute, parts } = &self.totals;
+        !changes.iter().chain(absolute).chain(parts).all(|sum| sum.is_finite())
+    }
+
+    fn is_done(&self) -> bool {
+        self.totals.changes.into_iter().zip(self.allowed()).all(|(change, most)| change <= most)
+    }
+
+    /// The cell that is to be cut next; none where what all may be off is allowed.
+    pub(super) fn most_urgent(&mut self) -> Option<usize> {
+        if self.is_done() {
+            // What was added and taken away has rounding.
+            self.totals = CellTotals::of(&self.cells);
+            if self.is_done() {
+                return None;
+            }
+        }
+        self.queue.pop().map(|(_, Reverse(number))| number)
+    }
+
+    pub(super) fn cell(&self, number: usize) -> &IntegratedCell<N> {
+        &self.cells[number]
+    }
+
+    /// Puts the halves of a cell in its place.
+    pub(super) fn replace(&mut self, number: usize, [first, second]: [IntegratedCell<N>; 2]) {
+        self.totals.add(&self.cells[number], -1.0);
+        self.totals.add(&first, 1.0);
+        self.totals.add(&second, 1.0);
+        self.cells[number] = first;
+        self.cells.push(second);
+        self.wait(number);
+        self.wait(self.cells.len() - 1);
+    }
+
+    pub(super) fn values(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.cells.iter().map(|cell| cell.values[i]).sum())
+    }
+
+    /// How far each quantity may be off, and the sizes of their kinds, with what they were at some time before, unless
+    /// what they may be off is allowed.
+    pub(super) fn errors_and_sizes(mut self, before: Option<[f64; N]>) -> [[f64; N]; 2] {
+        self.totals = CellTotals::of(&self.cells);
+        let values = self.values();
+        let since = before.filter(|_| !self.is_done()).unwrap_or(values);
+        let error = |i: usize| self.totals.changes[i].max((values[i] - since[i]).abs());
+        [std::array::from_fn(error), self.largest(self.totals.absolute)]
+    }
 }
