@@ -60,7 +60,7 @@ function messagesIn(text) {
   for (const line of text.split("\n").map((line) => line.trimEnd())) {
     if (HEAD.test(line)) found.push([]);
     isInside = HEAD.test(line) || (isInside && /^(\s|─|$)/.test(line));
-    if (isInside && line !== "" && !/ Help: (the ceiling on|`--limit) /.test(line)) found.at(-1).push(line);
+    if (isInside && line !== "" && !/ Help( \d+)?: (the ceiling on|`--limit) /.test(line)) found.at(-1).push(line);
   }
   return found.map((lines) => lines.join("\n"));
 }
