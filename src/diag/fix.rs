@@ -19,16 +19,24 @@ impl Fix {
     }
 
     /// Another ending in a string with a file's name; none where the string is not written as it reads.
+    ///
+    /// ```
+    /// use virote::diag::{Fix, Span};
+    ///
+    /// let fix = Fix::ending(Span::new(7, 16), "x.stepp", "stepp", "step").expect("it is written so");
+    /// assert_eq!(fix.edits, [(Span::new(10, 15), "step".to_owned())]);
+    /// // What no script says.
+    /// assert!(Fix::ending(Span::default(), "x.stepp", "stepp", "step").is_none());
+    /// ```
     pub fn ending(string: Span, name: &str, ending: &str, near: &str) -> Option<Self> {
         /// Quotation marks around it.
         const QUOTED: usize = 2;
-        let is_verbatim = (string.end - string.start) as usize == name.len() + QUOTED;
+        if (string.end - string.start) as usize != name.len() + QUOTED {
+            return None;
+        }
         let end = string.end - 1;
         let span = Span { start: end - u32::try_from(ending.len()).ok()?, end };
-        is_verbatim.then(|| Self {
-            title: format!("write `.{near}`"),
-            edits: vec![(span, near.to_owned())],
-        })
+        Some(Self { title: format!("write `.{near}`"), edits: vec![(span, near.to_owned())] })
     }
 
     /// `text` at `span`, which is empty.
