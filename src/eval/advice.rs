@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Span, nearest},
+    kernel::sorting::sort_by_key,
     value::{Op, Registry, Type, Value},
 };
 
@@ -76,7 +77,7 @@ impl Env<'_> {
             .filter(|other| takes(other, value))
             .filter_map(|other| Some((kin(other)?, other)))
             .collect();
-        found.sort_by_key(|&(kin, other)| (3 - kin, other.name));
+        sort_by_key(&mut found, |&(kin, other)| (3 - kin, other.name));
         let calls: Vec<String> = found
             .iter()
             .take(MOST_LISTED)

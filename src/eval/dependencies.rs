@@ -9,6 +9,7 @@ use super::{
 };
 use crate::{
     diag::{Diagnostic, Sources},
+    kernel::sorting::sort_by_key,
     value::Value,
 };
 
@@ -49,7 +50,7 @@ pub fn graph(name: &str, text: &str, sources: &mut Sources, settings: Settings<'
         .map(|(idx, definition)| GraphItem::Definition(idx, definition))
         .chain(program.effects.iter().map(GraphItem::Effect))
         .collect();
-    items.sort_by_key(GraphItem::start);
+    sort_by_key(&mut items, GraphItem::start);
     let places: BTreeMap<usize, usize> = items
         .iter()
         .enumerate()

@@ -18,6 +18,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Span, Spanned, nearest},
+    kernel::sorting::sort_by,
     limits::stack,
     value::{Record, Value, exact_key},
 };
@@ -93,7 +94,7 @@ impl Library<'_> {
     ) -> Result<InstanceSlot> {
         self.check_parameters(file, parameters)?;
         let mut given: Vec<_> = parameters.iter().collect();
-        given.sort_by(|a, b| a.0.value.cmp(&b.0.value));
+        sort_by(&mut given, |a, b| a.0.value.cmp(&b.0.value));
         let mut key = Vec::new();
         for (name, value) in given {
             exact_key(&Value::Text(Arc::clone(&name.value)), &mut key);

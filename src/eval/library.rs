@@ -18,6 +18,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, Sources, Span},
+    kernel::sorting::sort_by_key,
     limits::Ceiling,
     syntax::{
         self,
@@ -104,7 +105,7 @@ impl<'a> Library<'a> {
                 _ => {}
             }
         }
-        found.sort_by_key(|(start, _)| *start);
+        sort_by_key(&mut found, |(start, _)| *start);
         found
     }
 

@@ -5,7 +5,7 @@ use std::fmt;
 use super::{claim::Verdict, globals::KeptGlobals, memory::Work};
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned, shown},
-    kernel::Tolerance,
+    kernel::{Tolerance, sorting::sort_by},
     syntax::ast::{Kind, Unit},
     value::{Appearance, Value, table_text},
 };
@@ -202,7 +202,7 @@ pub struct Outcome {
 /// Puts findings into the order of the source, whatever thread they come from, each once: a
 /// mistake in a function is told for the first call that meets it.
 pub(crate) fn in_order(diagnostics: &mut Vec<Diagnostic>) {
-    diagnostics.sort_by(|a, b| {
+    sort_by(diagnostics, |a, b| {
         (a.primary.span, a.code, &a.message).cmp(&(b.primary.span, b.code, &b.message))
     });
     diagnostics.dedup_by(|b, a| {

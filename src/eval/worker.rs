@@ -16,6 +16,7 @@ use super::{
 };
 use crate::{
     diag::Diagnostic,
+    kernel::sorting::sort_by_key,
     value::{Registry, Value},
 };
 
@@ -199,7 +200,7 @@ fn keys(
     }
     // Functions that use one another, in an order that does not depend on their places.
     let mut members = members.to_vec();
-    members.sort_by_key(|&idx| program.definition(idx).map(|definition| &definition.name));
+    sort_by_key(&mut members, |&idx| program.definition(idx).map(|definition| &definition.name));
     let component = recall.intern(spell(KeySort::Component, &members));
     let member = |(place, idx)| {
         let mut key = CacheKey::new(KeySort::Member, home, &[], None);

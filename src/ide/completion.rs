@@ -5,6 +5,7 @@ use std::{collections::BTreeSet, ops::Range};
 use super::{DefinedName, Document, NameRole, Values, hover, wanted_types::WantedTypes};
 use crate::{
     docs, eval,
+    kernel::sorting::sort_by,
     session::Session,
     syntax::{self, CompletionPlace, Highlight, KEYWORDS},
     value::{Op, Registry, Value},
@@ -135,7 +136,7 @@ impl Document {
         let at = self.text.floor_char_boundary(at.min(self.text.len()));
         let place = CompletionSpot { document: self, registry: session.registry(), values, at };
         let mut found = place.all(list);
-        found.sort_by(|a, b| (a.rank(), &a.label).cmp(&(b.rank(), &b.label)));
+        sort_by(&mut found, |a, b| (a.rank(), &a.label).cmp(&(b.rank(), &b.label)));
         found.dedup_by(|b, a| a.label == b.label);
         found
     }

@@ -1,5 +1,7 @@
 //! Edits of a text.
 
+use crate::kernel::sorting::sort_by_key;
+
 use std::ops::Range;
 
 /// Text in the place of other text.
@@ -15,7 +17,7 @@ pub struct TextEdit {
 #[must_use]
 pub fn applied(text: &str, edits: &[TextEdit]) -> String {
     let mut edits: Vec<&TextEdit> = edits.iter().collect();
-    edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
+    sort_by_key(&mut edits, |edit| (edit.range.start, edit.range.end));
     let (mut out, mut at) = (String::with_capacity(text.len()), 0);
     for edit in edits {
         let Some(kept) = text.get(at..edit.range.start) else { continue };

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::{ActKind, Document, NameRole, Values};
 use crate::{
+    kernel::sorting::sort_by_key,
     syntax::ast::Kind,
     value::{Registry, Value},
 };
@@ -131,7 +132,7 @@ impl Document {
         if shown.parameters {
             self.parameter_hints(registry, &is_within, &mut found);
         }
-        found.sort_by_key(|hint| hint.at);
+        sort_by_key(&mut found, |hint| hint.at);
         found
     }
 
@@ -205,7 +206,7 @@ impl Document {
             range: name.whole.clone(),
             kind: LensKind::View(name.name.clone()),
         }));
-        found.sort_by_key(|lens| lens.range.start);
+        sort_by_key(&mut found, |lens| lens.range.start);
         found
     }
 }

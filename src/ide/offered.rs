@@ -1,5 +1,7 @@
 //! What is sent of many completions: those that the word under way could become.
 
+use crate::kernel::sorting::sort_by_key;
+
 use super::Completion;
 
 /// Of completions in their order those that the word `typed` could become, at most so many; whether they are all.
@@ -30,7 +32,7 @@ pub fn offered(found: Vec<Completion>, typed: &str, most: usize) -> (Vec<Complet
     }
     if most < meant.len() {
         // Sorting keeps the order of what is alike.
-        meant.sort_by_key(|(is_inside, _)| *is_inside);
+        sort_by_key(&mut meant, |(is_inside, _)| *is_inside);
         meant.truncate(most);
     }
     let is_whole = meant.len() == n_found;

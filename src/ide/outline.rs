@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::outline_walk::OutlineWalk;
-use crate::{diag::Diagnostic, session::Session, syntax::ast::Kind};
+use crate::{diag::Diagnostic, kernel::sorting::sort_by_key, session::Session, syntax::ast::Kind};
 
 /// What a name is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,7 +115,7 @@ impl Outline {
     pub fn of(session: &Session, text: &str) -> Self {
         session.tree(text, |tree, faults| {
             let mut outline = OutlineWalk::of(text, tree);
-            outline.names.sort_by_key(|name| name.place.start);
+            sort_by_key(&mut outline.names, |name| name.place.start);
             Self { faults, ..outline }
         })
     }

@@ -3,6 +3,7 @@
 use super::{Document, NameRole, Outline, hover};
 use crate::{
     docs,
+    kernel::sorting::sort_by_key,
     syntax::{OpenCall, open_call},
     value::{Op, Registry},
 };
@@ -70,7 +71,7 @@ impl Document {
                     .collect(),
             })
             .collect();
-        found.sort_by_key(|signature| signature.active.is_none());
+        sort_by_key(&mut found, |signature| signature.active.is_none());
         found
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{ActKind, DefinedName, Document, NameRole, hover};
-use crate::syntax::Highlight;
+use crate::{kernel::sorting::sort_by_key, syntax::Highlight};
 
 /// A definition, a test or a file, with what stands inside of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +63,7 @@ impl Document {
             place: act.subject.clone(),
             children: inner(&act.whole),
         }));
-        found.sort_by_key(|symbol| symbol.whole.start);
+        sort_by_key(&mut found, |symbol| symbol.whole.start);
         found
     }
 
@@ -98,7 +98,7 @@ impl Document {
         found.extend(
             self.rows(imports).into_iter().map(|range| Fold { is_imports: true, ..plain(range) }),
         );
-        found.sort_by_key(|fold| (fold.range.start, fold.range.end));
+        sort_by_key(&mut found, |fold| (fold.range.start, fold.range.end));
         // Of several that begin on a line the longest.
         let line = |at: usize| self.lines.position(&self.text, at, super::ColumnUnit::Utf8).line;
         found.reverse();
@@ -140,7 +140,7 @@ impl Document {
             .collect();
         found.extend(self.piece_at(at).map(|idx| self.pieces[idx].1.clone()));
         found.push(0..self.text.len());
-        found.sort_by_key(|range| (range.len(), range.start));
+        sort_by_key(&mut found, |range| (range.len(), range.start));
         let mut nested: Vec<Range<usize>> = Vec::new();
         for range in found {
             let holds = |last: &Range<usize>| {

@@ -3,6 +3,7 @@
 use super::{
     GeomError, Interval, KnotVector, refine::ControlLines, tolerance::KNOT_CLUSTER_RELATIVE,
 };
+use crate::sorting::sort_by;
 
 /// A knot inside a domain, with the number of the spline that it belongs to.
 #[derive(Clone, Copy)]
@@ -69,7 +70,7 @@ fn clusters(splines: &[ControlLines], domain: Interval) -> Vec<KnotCluster> {
         owned.filter(move |owned| domain.start() < owned.knot && owned.knot < domain.end())
     };
     let mut all: Vec<OwnedKnot> = splines.iter().enumerate().flat_map(inner).collect();
-    all.sort_by(|a, b| a.knot.total_cmp(&b.knot));
+    sort_by(&mut all, |a, b| a.knot.total_cmp(&b.knot));
     let same = KNOT_CLUSTER_RELATIVE * domain.length();
     let mut clusters: Vec<KnotCluster> = Vec::new();
     for owned in all {

@@ -149,6 +149,7 @@ mod scale;
 mod side_by_side;
 mod skin;
 mod solid;
+pub mod sorting;
 mod surface;
 mod sweep;
 mod table;

@@ -9,7 +9,10 @@ use std::{
     thread,
 };
 
-use crate::work::{self, Done};
+use crate::{
+    sorting::sort_by_key,
+    work::{self, Done},
+};
 
 /// Values for which a further thread pays.
 const WORTH_A_THREAD: usize = 50_000;
@@ -92,7 +95,7 @@ pub(super) fn map<T: Sync, R: Send>(
         made.lock().unwrap_or_else(PoisonError::into_inner).extend(own);
     });
     let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
-    made.sort_unstable_by_key(|&(place, _)| place);
+    sort_by_key(&mut made, |&(place, _)| place);
     made.into_iter().map(|(_, made)| made).collect()
 }
 

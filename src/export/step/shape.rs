@@ -12,6 +12,7 @@ use super::{
 };
 use crate::kernel::{
     AnalyticCurve, AnalyticForm, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
+    sorting::sort_by,
 };
 
 /// A curve: a line or an arc where it is one, else a B-spline.
@@ -223,7 +224,7 @@ impl FaceBound {
             return if edges.is_empty() { edges } else { vec![bound(true, &edges, file)] };
         }
         let size = |line: &NurbsCurve| line.bounds().diagonal();
-        edges.sort_by(|(_, a), (_, b)| size(b).total_cmp(&size(a)));
+        sort_by(&mut edges, |(_, a), (_, b)| size(b).total_cmp(&size(a)));
         edges.iter().enumerate().map(|(i, &(edge, _))| bound(i == 0, &[edge], file)).collect()
     }
 

@@ -9,7 +9,7 @@
 use glam::{DVec2, DVec3};
 
 use crate::{
-    kernel::{Interval, NurbsCurve, tolerance::DRAWING_DIGIT},
+    kernel::{Interval, NurbsCurve, sorting::sort_by, tolerance::DRAWING_DIGIT},
     limits::work,
 };
 
@@ -194,7 +194,7 @@ impl HidingScene {
                 }
             });
         }
-        hidden.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        sort_by(&mut hidden, |a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
         let mut merged: Vec<[f64; 2]> = Vec::new();
         for [start, end] in hidden {
             match merged.last_mut() {

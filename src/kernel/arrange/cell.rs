@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{Arrangement, OrientedEdge};
-use crate::{GeomError, NurbsCurve};
+use crate::{GeomError, NurbsCurve, sorting::sort_by_key};
 
 /// A closed chain of edges with one part of the plane to its left.
 #[derive(Debug)]
@@ -40,7 +40,7 @@ impl Arrangement {
         let mut is_left = vec![false; self.arcs.len()];
         self.edges.iter().for_each(|edge| is_left[edge.arc] = true);
         loose_ends.retain(|&(arc, _)| !is_left[arc]);
-        loose_ends.sort_by_key(|&(arc, _)| arc);
+        sort_by_key(&mut loose_ends, |&(arc, _)| arc);
         loose_ends
     }
 

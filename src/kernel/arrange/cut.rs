@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
 use crate::{
     Bounds, GeomError, Interval, NurbsCurve, disjoint_sets::DisjointSets, frame::norm,
-    side_by_side, tolerance::PARAMETER_RELATIVE,
+    side_by_side, sorting::sort_by, tolerance::PARAMETER_RELATIVE,
 };
 
 /// Tolerances within which what comes back to a vertex has not left it.
@@ -83,7 +83,7 @@ impl Arrangement {
             of_arc[cut.arc].push((cut.parameter, vertex));
         }
         for (arc, places) in of_arc.iter_mut().enumerate() {
-            places.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by(places, |a, b| a.0.total_cmp(&b.0));
             let curve = &self.arcs[arc];
             let Some(&(mut start, mut from)) = places.first() else { continue };
             // How far the curve is from the vertex there.
@@ -154,7 +154,7 @@ impl Arrangement {
 fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
     let boxes: Vec<Bounds> = arcs.iter().map(NurbsCurve::bounds).collect();
     let mut order: Vec<usize> = (0..boxes.len()).collect();
-    order.sort_by(|&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
+    sort_by(&mut order, |&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
     let mut pairs = Vec::new();
     for (place, &i) in order.iter().enumerate() {
         let own = boxes[i];
@@ -173,7 +173,7 @@ fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
 fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
     let mut places = DisjointSets::new(cuts.len());
     let mut order: Vec<usize> = (0..cuts.len()).collect();
-    order.sort_by(|&i, &j| cuts[i].point.x.total_cmp(&cuts[j].point.x).then(i.cmp(&j)));
+    sort_by(&mut order, |&i, &j| cuts[i].point.x.total_cmp(&cuts[j].point.x).then(i.cmp(&j)));
     for (place, &i) in order.iter().enumerate() {
         let own = cuts[i].point;
         for &j in order[place + 1..].iter().take_while(|&&j| cuts[j].point.x <= own.x + tolerance) {

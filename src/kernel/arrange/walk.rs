@@ -15,6 +15,7 @@ use crate::{
     frame::norm,
     numeric::bisection::bisected,
     side_by_side,
+    sorting::sort_by,
     tolerance::{EXACT_RELATIVE, PARAMETER_RELATIVE},
 };
 
@@ -152,7 +153,7 @@ impl Arrangement {
         let onward = exits.iter().enumerate().filter(|(_, exit)| **exit != back);
         let turns = onward.map(|(i, exit)| (i, (from - angle(exit)).rem_euclid(TAU)));
         let mut turns: Vec<(usize, f64)> = turns.collect();
-        turns.sort_by(|a, b| a.1.total_cmp(&b.1));
+        sort_by(&mut turns, |a, b| a.1.total_cmp(&b.1));
         let is_near = |a: f64, b: f64| (b - a).abs() <= EXACT_RELATIVE;
         match turns[..] {
             [(only, _)] => Ok(only),

@@ -1,7 +1,7 @@
 //! Taking knots away from a curve that has more than its tolerance needs.
 
 use super::search::{FitSearch, FittedCurve};
-use crate::{KnotVector, NurbsCurve, removal::removal};
+use crate::{KnotVector, NurbsCurve, removal::removal, sorting::sort_by};
 
 /// Control points up to which knots go one by one; of more that is seldom worth the time.
 const FEW: usize = 64;
@@ -55,7 +55,7 @@ impl FitSearch<'_> {
         let inner = self.degree + 1..points.len();
         let mut costs: Vec<(f64, usize)> =
             inner.map(|i| (removal(self.degree, knots, points, i).displacement, i)).collect();
-        costs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut costs, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         costs
     }
 

@@ -4,7 +4,7 @@
 use super::{CurveAdjustment, Gordon, Network, NetworkError, NetworkInput, gordon};
 use crate::{
     ConstructionReport, CountError, Curve, Direction, GeomError, NurbsCurve, NurbsSurface,
-    ReportEntry, check_parameters,
+    ReportEntry, check_parameters, sorting::sort_by_key,
 };
 
 /// Part of the tolerance by which a curve that comes again may miss where it was before.
@@ -221,7 +221,7 @@ fn with_report(made: Gordon, kept: [(&[usize], usize); 2]) -> NurbsSurface {
     let [at_u, at_v] = [0, 1].map(|f| {
         let mut pairs: Vec<(usize, f64)> =
             changes[1 - f].iter().map(|change| change.index).zip(at[f].iter().copied()).collect();
-        pairs.sort_by_key(|&(index, _)| index);
+        sort_by_key(&mut pairs, |&(index, _)| index);
         pairs.into_iter().map(|(_, t)| t).collect::<Vec<f64>>()
     });
     changes.iter_mut().for_each(|family| family.sort_by_key(|change| change.index));

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::network::{NetworkCrossing, NetworkError};
 use crate::{
     Direction, GeomError, IntersectionError, Interval, NurbsCurve,
+    sorting::sort_by,
     tolerance::{KNOT_RELATIVE, PLACE_RELATIVE, UNCHANGED_SHARE},
 };
 
@@ -78,7 +79,7 @@ pub(super) fn in_order(
     let order = |n: usize, is_kept: bool, place: &dyn Fn(usize) -> f64| {
         let mut order: Vec<usize> = (0..n).collect();
         if !is_kept {
-            order.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
+            sort_by(&mut order, |&a, &b| place(a).total_cmp(&place(b)));
         }
         order
     };

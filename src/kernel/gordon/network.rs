@@ -6,6 +6,7 @@ use crate::{
     Direction, GeomError, IntersectionError, NurbsCurve,
     ceiling::DISTANT_PAIRS,
     digits::few_digits,
+    sorting::sort_by,
     tolerance::{ONE_MEETING_SHARE, PLACE_RELATIVE},
 };
 
@@ -345,7 +346,7 @@ pub(super) fn chosen(
         };
         let mut sorted: Vec<(f64, NetworkCrossing)> =
             own.iter().map(|meet| (miss(meet), *meet)).collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut sorted, |a, b| a.0.total_cmp(&b.0));
         match sorted[..] {
             [(best, meet), (second, _), ..] if 2.0 * best < second => Ok(meet),
             _ => Err(ambiguous()),

@@ -6,6 +6,7 @@ use crate::{
     Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side,
     ceiling::PIECES,
     fit::FitCondition,
+    sorting::sort_by,
     tolerance::{KNOT_CLUSTER_RELATIVE, LEAST_KNOT_DENSITY},
 };
 
@@ -117,7 +118,7 @@ impl<'a> KnotSearch<'a> {
         let inside = |t: f64| domain.start() + same < t && t < domain.end() - same;
         let mut sorted: Vec<(f64, usize)> =
             wanted.held.iter().copied().filter(|&(t, _)| inside(t)).collect();
-        sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut sorted, |a, b| a.0.total_cmp(&b.0));
         let mut held: Vec<(f64, usize)> = Vec::new();
         for (t, times) in sorted {
             let times = times.min(wanted.degree);
@@ -168,7 +169,7 @@ impl<'a> KnotSearch<'a> {
         }
         all.extend(at_end(breaks[last], breaks[last] - breaks[last - 1]));
         all.extend(self.at.iter().map(|&t| (FitCondition { t, order: 0, weight: HEAVY }, None)));
-        all.sort_by(|a, b| a.0.t.total_cmp(&b.0.t));
+        sort_by(&mut all, |a, b| a.0.t.total_cmp(&b.0.t));
         all.into_iter().unzip()
     }
 

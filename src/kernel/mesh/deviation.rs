@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::Mesh;
 use crate::{
     Deviation, DeviationReference, GeomError, ceiling::TRIANGLE_CLIMB_STEPS,
-    numeric::pattern_search::climbed,
+    numeric::pattern_search::climbed, sorting::sort_by,
 };
 
 /// Triangles in which the farthest place is searched: those with the farthest middles.
@@ -47,7 +47,7 @@ impl Mesh {
             area += here;
             moment += here * along.into_iter().sum::<f64>() / 3.0;
         }
-        farthest.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut farthest, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut most: Option<(f64, DVec3)> = None;
         for &(_, triangle) in farthest.iter().take(SEARCHED) {
             let corners = self.triangles[triangle].map(|i| self.vertices[i as usize]);

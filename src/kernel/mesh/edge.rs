@@ -9,6 +9,7 @@ use crate::{
     curve::ArcLengths,
     homogeneous::project,
     numeric::newton::{to_foot, try_within_limits},
+    sorting::sort_by,
     surface::Crease,
     tolerance::LAST_BIT,
     work,
@@ -128,7 +129,7 @@ impl PatchEdge {
                 }
             }
         }
-        found.sort_by(|a, b| a.fraction.total_cmp(&b.fraction).then(a.corner.cmp(&b.corner)));
+        sort_by(&mut found, |a, b| a.fraction.total_cmp(&b.fraction).then(a.corner.cmp(&b.corner)));
         let ([first, last], domain) = (self.corners, self.domain());
         let mut cuts = vec![EdgeCorner { parameter: domain.start(), fraction: 0.0, corner: first }];
         for cut in found {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::Bounds;
+use crate::{Bounds, sorting::sort_by};
 
 /// Some of several places, in their order along the longest side of the box around all.
 pub(crate) struct PlacesAlong<'a> {
@@ -20,7 +20,7 @@ impl<'a> PlacesAlong<'a> {
         let at = |place: u32| places[place as usize][axis];
         let mut order: Vec<u32> =
             (0..places.len() as u32).filter(|&place| is_wanted(place)).collect();
-        order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
+        sort_by(&mut order, |&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
         Self { places, axis, order }
     }
 

@@ -14,7 +14,7 @@ use super::{
     surface_patch::{SHARE, SurfacePatch},
     weld::welded,
 };
-use crate::{GeomError, Interval, tolerance::WELD_SHARE};
+use crate::{GeomError, Interval, sorting::sort_by_key, tolerance::WELD_SHARE};
 
 /// Parts of a stretch between which it is compared with another.
 const COMPARED: usize = 8;
@@ -134,7 +134,7 @@ impl SharedEdges {
             let [a, b] = self.stretches[stretch].ends.map(|end| end.corner);
             [a.min(b), a.max(b)]
         };
-        order.sort_by_key(|&stretch| (ends(stretch), stretch));
+        sort_by_key(&mut order, |&stretch| (ends(stretch), stretch));
         let mut gaps = vec![0.0_f64; sheets.len()];
         let mut seams = Vec::new();
         for alike in order.chunk_by(|&a, &b| ends(a) == ends(b)) {

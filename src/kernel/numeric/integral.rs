@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     ceiling::INTEGRAL_PIECES,
+    sorting::sort_by,
     tolerance::{INTEGRAL_NOISE_RELATIVE, INTEGRAL_SEEN_RELATIVE, INTEGRAL_WIDTH_RELATIVE},
 };
 
@@ -133,7 +134,7 @@ pub fn find_sized_integral<E>(
         let allowed = absolute.max(relative * size);
         if is_known && error <= allowed {
             let mut settled = pieces.into_vec();
-            settled.sort_by(|a, b| a.interval[0].total_cmp(&b.interval[0]));
+            sort_by(&mut settled, |a, b| a.interval[0].total_cmp(&b.interval[0]));
             if !is_looked_at {
                 is_looked_at = true;
                 let counts = allowed.max(INTEGRAL_SEEN_RELATIVE * size);

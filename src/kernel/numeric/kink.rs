@@ -4,6 +4,8 @@
 //! is known long before, as the polynomials through its samples there. On which side of the kink a place
 //! lies is seen by which of them the function follows, so that bisection takes one question a step.
 
+use crate::sorting::sort_by;
+
 /// Components that tell the sides apart.
 const COMPONENTS: usize = 8;
 
@@ -60,7 +62,7 @@ impl SampledPiece {
         let sides = KinkSides([left, right].map(SidePolynomial::through));
         let [mut low, mut high] = [from, to];
         let mut own = self.0.clone();
-        own.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut own, |a, b| a.0.total_cmp(&b.0));
         for (place, value) in own {
             match sides.followed(place, &value).0 {
                 // It would follow the left one behind where it followed the right one.

@@ -7,7 +7,7 @@ use super::{
     root_error::RootError,
     sample::Sample,
 };
-use crate::{ceiling::PROOF_PIECES, tolerance::PROOF_WIDTH_RELATIVE, work};
+use crate::{ceiling::PROOF_PIECES, sorting::sort_by, tolerance::PROOF_WIDTH_RELATIVE, work};
 
 /// What bounds of a function's values and slopes tell of its roots.
 ///
@@ -98,7 +98,7 @@ impl RootProof {
                 _ => open.push([low, high]),
             }
         }
-        open.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort_by(&mut open, |a, b| a[0].total_cmp(&b[0]));
         Self { brackets, open: is_done.then_some(open) }
     }
 
@@ -132,7 +132,7 @@ impl RootProof {
         for &interval in self.open.iter().flatten() {
             roots.extend(roots_in_open(&mut bounds, &mut function, interval, end - start)?);
         }
-        roots.sort_by(|a, b| a.sample.at.total_cmp(&b.sample.at));
+        sort_by(&mut roots, |a, b| a.sample.at.total_cmp(&b.sample.at));
         Ok(told_apart(&mut bounds, &roots, end - start))
     }
 }

@@ -3,7 +3,7 @@
 //! Golub & Van Loan, *Matrix Computations*, §8.6.3.
 
 use super::symmetric_eigen::rotation;
-use crate::tolerance::LAST_BIT;
+use crate::{sorting::sort_by, tolerance::LAST_BIT};
 
 /// Sweeps; ten are enough for all bits.
 const SWEEPS: usize = 30;
@@ -34,7 +34,7 @@ pub(crate) fn singular_values<const N: usize>(mut columns: [Vec<f64>; N]) -> [(f
         }
     }
     let mut found = std::array::from_fn(|i| (dot(&columns[i], &columns[i]).sqrt(), right[i]));
-    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by(&mut found, |a, b| b.0.total_cmp(&a.0));
     found
 }
 

@@ -1,5 +1,6 @@
 //! Eigenvalues and eigenvectors of small symmetric matrices.
 
+use crate::sorting::sort_by;
 use glam::{DMat2, DMat3, DVec2, DVec3};
 
 /// Sweeps over all entries off the diagonal; five are enough for all bits.
@@ -29,7 +30,7 @@ pub fn principal_axes(matrix: DMat3) -> [(f64, DVec3); 3] {
         }
     }
     let mut pairs = [0, 1, 2].map(|i| (a.col(i)[i], axes.col(i)));
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut pairs, |a, b| a.0.total_cmp(&b.0));
     pairs[2].1 = pairs[0].1.cross(pairs[1].1);
     pairs
 }

@@ -2,7 +2,7 @@
 
 use glam::DVec4;
 
-use crate::tolerance::RANK_RELATIVE;
+use crate::{sorting::sort_by_key, tolerance::RANK_RELATIVE};
 
 /// Equations that are turned at once.
 const BLOCK_EQUATIONS: usize = 64;
@@ -29,7 +29,7 @@ impl TriangularFactor {
             return Self::of_sorted(equations, n, width);
         }
         let mut sorted: Vec<(usize, &[f64])> = equations.collect();
-        sorted.sort_by_key(|(first, _)| *first);
+        sort_by_key(&mut sorted, |(first, _)| *first);
         Self::of_sorted(sorted.into_iter(), n, width)
     }
 

@@ -6,6 +6,7 @@ use super::{PlaneLoop, Region, RegionError, bounds_of, plane_of};
 use crate::{
     Frame, GeomError, NurbsCurve, Tolerance,
     arrange::{Apart, Arrangement, Ring, Windings},
+    sorting::sort_by,
 };
 
 impl Region {
@@ -148,7 +149,7 @@ pub(super) fn sorted(
         }
         if 0.0 < area { outer.push((area, border)) } else { holes.push(border) }
     }
-    outer.sort_by(|(a, one), (b, other)| {
+    sort_by(&mut outer, |(a, one), (b, other)| {
         let [p, q] = [one, other].map(|border| border.bounds().min);
         b.total_cmp(a).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y))
     });
@@ -171,7 +172,7 @@ pub(super) fn sorted(
     let mut regions: Vec<Region> = parts.into_iter().map(|loops| Region { frame, loops }).collect();
     let mut areas: Vec<(f64, usize)> =
         regions.iter().enumerate().map(|(i, region)| (region.area(), i)).collect();
-    areas.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    sort_by(&mut areas, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     let mut taken: Vec<Option<Region>> = regions.drain(..).map(Some).collect();
     Ok(areas.into_iter().filter_map(|(_, i)| taken[i].take()).collect())
 }

@@ -12,6 +12,7 @@ use super::{Region, RegionError};
 use crate::{
     GeomError, Interval, NurbsCurve, Tolerance,
     numeric::{root::find_root, root_error::RootError},
+    sorting::sort_by,
     tolerance::LAST_BIT,
 };
 
@@ -119,7 +120,7 @@ impl Region {
                 pieces.extend(RisingPiece::new(None, [arc.end(), next]));
             }
         }
-        pieces.sort_by(|a, b| a.ends[0].y.total_cmp(&b.ends[0].y));
+        sort_by(&mut pieces, |a, b| a.ends[0].y.total_cmp(&b.ends[0].y));
         let pieces: Vec<Arc<RisingPiece>> = pieces.into_iter().map(Arc::new).collect();
         let mut heights: Vec<f64> =
             pieces.iter().flat_map(|piece| piece.ends.map(|end| end.y)).collect();
@@ -152,7 +153,7 @@ impl Region {
             GeomError::go_on(1 + active.len())?;
             let mut crossed: Vec<(f64, usize)> =
                 active.iter().map(|&piece| (pieces[piece].x_at(middle), piece)).collect();
-            crossed.sort_by(|a, b| a.0.total_cmp(&b.0));
+            sort_by(&mut crossed, |a, b| a.0.total_cmp(&b.0));
             let mut going_on = BTreeMap::new();
             let is_low = high - low <= slack;
             let Some(pairs) = pairs(pieces, &crossed, is_low) else {

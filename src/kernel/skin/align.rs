@@ -12,6 +12,7 @@ use crate::{
     ceiling::BISECTIONS,
     join,
     numeric::bisection::bisected,
+    sorting::sort_by_key,
     tolerance::{PLACE_RELATIVE, TURN_RELATIVE},
 };
 
@@ -129,7 +130,7 @@ pub(super) fn align(curves: &mut [NurbsCurve], tolerance: f64) -> Result<Alignme
         curves[own] = now.curve;
     }
     done.reversed.sort_unstable();
-    done.seams.sort_by_key(|&(section, _)| section);
+    sort_by_key(&mut done.seams, |&(section, _)| section);
     done.corners.sort_unstable();
     Ok(done)
 }

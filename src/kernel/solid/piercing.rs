@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Solid, box_around};
-use crate::{Curve, CurveSurfaceIntersection, GeomError, Surface, Tolerance};
+use crate::{Curve, CurveSurfaceIntersection, GeomError, Surface, Tolerance, sorting::sort_by};
 
 /// A place that a curve has in common with the skin of a solid.
 ///
@@ -45,7 +45,7 @@ impl Solid {
             let on_face = places.into_iter().filter(|place| own.has(place.uv, tolerance));
             found.extend(on_face.map(|place| CurveSolidIntersection { face, place }));
         }
-        found.sort_by(|a, b| a.place.t.total_cmp(&b.place.t).then(a.face.cmp(&b.face)));
+        sort_by(&mut found, |a, b| a.place.t.total_cmp(&b.place.t).then(a.face.cmp(&b.face)));
         let mut places: Vec<CurveSolidIntersection> = Vec::with_capacity(found.len());
         for next in found {
             if let Some(last) = places.last_mut() {

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::{Solid, SolidError, box_around};
 use crate::{
     Direction, FaceClosestPoint, GeomError, RegionSide, Tolerance,
+    sorting::sort_by,
     tolerance::{PARAMETER_RELATIVE, STRAIGHT_SLACK, WHOLE_TURN_SLACK},
 };
 
@@ -60,7 +61,7 @@ impl Solid {
             }
         }
         feet.retain(|near| near.foot.distance <= least + further);
-        feet.sort_by(|a, b| a.foot.distance.total_cmp(&b.foot.distance));
+        sort_by(&mut feet, |a, b| a.foot.distance.total_cmp(&b.foot.distance));
         Ok(feet)
     }
 

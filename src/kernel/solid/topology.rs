@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::{Solid, SolidError, box_around};
 use crate::{
     Bounds, GeomError, Interval, NurbsCurve, Tolerance, disjoint_sets::DisjointSets, mesh::welded,
-    tolerance::PARAMETER_RELATIVE,
+    sorting::sort_by, tolerance::PARAMETER_RELATIVE,
 };
 
 /// Edges and vertices of a solid, and how its faces go along them.
@@ -219,7 +219,7 @@ fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutA
                 stops.push((foot.parameter, vertex));
             }
         }
-        stops.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut stops, |a, b| a.0.total_cmp(&b.0));
         arcs.push(CutArc { curve, stops });
     }
     Ok((vertices, arcs))

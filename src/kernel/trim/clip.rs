@@ -9,6 +9,7 @@ use crate::{
     GeomError, Interval, NurbsCurve, Region, RegionSide, Tolerance,
     arrange::{Apart, Arrangement, RaySearch, Ring},
     curve::join,
+    sorting::sort_by,
     tolerance::PARAMETER_RELATIVE,
 };
 
@@ -100,7 +101,7 @@ impl Face {
                 }
             }
         }
-        found.sort_by(|a, b| a.start().total_cmp(&b.start()));
+        sort_by(&mut found, |a, b| a.start().total_cmp(&b.start()));
         Ok(found)
     }
 }

@@ -14,6 +14,7 @@ use crate::{
     Bounds, CountError, GeomError, Mesh, NurbsCurve, Surface, TessellationOptions,
     distance_to_polyline,
     mesh::{BorderVertex, PartLoops, PartsTessellation, PlacesAlong, tessellate_through, welded},
+    sorting::sort_by,
     tessellate_all, tessellation_parameters,
     tolerance::PARAMETER_RELATIVE,
 };
@@ -247,7 +248,7 @@ impl<'a> MeshedArc<'a> {
         let [start, end] = [self.stops[0], self.stops[self.stops.len() - 1]];
         self.stops.extend(others);
         self.stops.retain(|&(t, _)| start.0 < t && t < end.0);
-        self.stops.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        sort_by(&mut self.stops, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         self.stops.insert(0, start);
         self.stops.push(end);
         Ok(())

@@ -6,6 +6,7 @@ use super::pull::{COMPARED, JOINT_SHARE, PulledCurve, Section};
 use crate::{
     GeomError, NurbsCurve,
     frame::norm,
+    sorting::sort_by,
     tolerance::{PARAMETER_RELATIVE, PULL_SHARE},
 };
 
@@ -33,7 +34,7 @@ impl PulledCurve<'_> {
                 }
             }
         }
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut all, |a, b| a.0.total_cmp(&b.0));
         let least = PARAMETER_RELATIVE * self.curve.domain().length();
         all.dedup_by(|behind, before| behind.0 - before.0 <= least);
         Ok(all)

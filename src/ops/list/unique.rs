@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::{
     diag::Result,
-    kernel::Surface,
+    kernel::{Surface, sorting::sort_by_key},
     limits::work,
     value::{Ctx, List, Value, equal, op},
 };
@@ -74,7 +74,7 @@ fn spell(value: &Value, key: &mut Vec<u64>) {
         }
         Value::Record(record) => {
             let mut fields: Vec<(&str, &Value)> = record.iter().collect();
-            fields.sort_unstable_by_key(|&(label, _)| label);
+            sort_by_key(&mut fields, |&(label, _)| label);
             key.push(fields.len() as u64);
             for (label, value) in fields {
                 key.extend(label.bytes().map(u64::from));

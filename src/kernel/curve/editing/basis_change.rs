@@ -5,6 +5,7 @@ use glam::{DVec3, DVec4};
 use crate::{
     FormError, GeomError, KnotVector, Side, bezier,
     curve::NurbsCurve,
+    sorting::sort_by,
     tolerance::{EXACT_RELATIVE, KNOT_RELATIVE},
 };
 
@@ -46,7 +47,7 @@ impl NurbsCurve {
             let span = support.filter(is_wide).min_by_key(|span| (2 * span).abs_diff(2 * i + p))?;
             let middle = knots.span_interval(span).at(0.5);
             let mut arguments = knots.as_slice()[i + 1..=i + p].to_vec();
-            arguments.sort_by(|a, b| (b - middle).abs().total_cmp(&(a - middle).abs()));
+            sort_by(&mut arguments, |a, b| (b - middle).abs().total_cmp(&(a - middle).abs()));
             let span = self.knots.span_at(middle);
             Some(bezier::blossom(&self.knots, &self.control_points, span, &arguments))
         };

@@ -32,6 +32,7 @@ use crate::{
     },
     homogeneous,
     numeric::newton::{NewtonStep, within_limits},
+    sorting::sort_by,
     tolerance::{KNOT_RELATIVE, LAST_BIT},
     work,
 };
@@ -310,6 +311,6 @@ fn longest_axis(pieces: &[Arc<CurvePart>]) -> usize {
 /// The pieces in the order in which they start along an axis.
 fn by_start(pieces: &[Arc<CurvePart>], axis: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..pieces.len()).collect();
-    order.sort_by(|&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
+    sort_by(&mut order, |&i, &j| pieces[i].bounds.min[axis].total_cmp(&pieces[j].bounds.min[axis]));
     order
 }

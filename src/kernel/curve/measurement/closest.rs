@@ -8,6 +8,7 @@ use crate::{
     frame::norm,
     nearest::{ClosestPointTree, SearchTarget},
     scale::needed_scale,
+    sorting::sort_by,
     tolerance::{LAST_BIT, PLACE_RELATIVE},
 };
 
@@ -92,7 +93,7 @@ impl NurbsCurve {
         } else {
             feet.retain(|&(_, distance)| distance <= best + rounding);
         }
-        feet.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut feet, |a, b| a.0.total_cmp(&b.0));
         let first = feet.iter().find(|&&(_, distance)| distance <= best + rounding);
         let parameter = first.map_or(self.domain().start(), |&(t, _)| t);
         let point = self.point_at(parameter);
@@ -107,7 +108,7 @@ impl NurbsCurve {
 
     /// Pieces that touch as one; without those that are but a place within the tolerance.
     fn joined_stretches(&self, mut pieces: Vec<(f64, f64)>, tolerance: f64) -> Vec<Interval> {
-        pieces.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by(&mut pieces, |a, b| a.0.total_cmp(&b.0));
         let rounding = LAST_BIT * self.domain().length();
         let mut joined: Vec<(f64, f64)> = Vec::new();
         for (start, end) in pieces {
@@ -165,7 +166,7 @@ impl NurbsCurve {
         let ends = stretches.iter().flat_map(|stretch| [stretch.start(), stretch.end()]);
         // Sorted by x, so that few are compared.
         let mut places: Vec<DVec3> = ends.map(|t| self.point_at(t)).collect();
-        places.sort_by(|a, b| a.x.total_cmp(&b.x));
+        sort_by(&mut places, |a, b| a.x.total_cmp(&b.x));
         let n_ends = places.len();
         for &(t, _) in feet {
             let point = self.point_at(t);

@@ -12,6 +12,7 @@ use crate::{
     GeomError, JumpError, Side,
     curve::{CurveIntersection, NurbsCurve, intersection::intersect::work},
     homogeneous,
+    sorting::sort_by,
     tolerance::LAST_BIT,
 };
 
@@ -101,7 +102,9 @@ impl NurbsCurve {
                 }
             }
         }
-        meetings.sort_by(|a, b| a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second)));
+        sort_by(&mut meetings, |a, b| {
+            a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second))
+        });
         Ok(meetings)
     }
 

@@ -11,6 +11,7 @@ use crate::{
     Bounds, GeomError, Tolerance,
     digits::few_digits,
     frame::unit,
+    sorting::sort_by,
     surface::{
         Edge, Surface,
         measurement::border::{LineDistance, SurfaceBorder},
@@ -287,7 +288,7 @@ fn touching(
         .filter(|&other| other != idx)
         .map(|other| (rims[other].distance_at_least(point), other))
         .collect();
-    others.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut others, |a, b| a.0.total_cmp(&b.0));
     let mut touching = Vec::new();
     let mut least = f64::INFINITY;
     for (could_be, rim) in others {

@@ -11,6 +11,7 @@ use crate::{
     kernel::{
         Jet,
         jet::moved_end,
+        sorting::sort_by,
         tolerance::{SWITCH_ALIKE_RELATIVE, SWITCH_STEP_RELATIVE},
     },
     value::{Real, Switch},
@@ -59,7 +60,7 @@ fn is_like(a: &[Switch], b: &[Switch]) -> bool {
 impl MovingCuts<'_> {
     /// What the integral gains.
     pub(super) fn gain(mut self, ask: &mut dyn FnMut(Real) -> Result<Found>) -> Result<Vec<f64>> {
-        self.seen.sort_by(|a, b| a.at.total_cmp(&b.at));
+        sort_by(&mut self.seen, |a, b| a.at.total_cmp(&b.at));
         let mut sum = Vec::new();
         for idx in 1..self.seen.len() {
             for _ in 0..MOST_CHANGES {

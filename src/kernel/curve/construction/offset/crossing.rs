@@ -3,6 +3,7 @@
 use crate::{
     Bounds, GeomError, IntersectionError, Interval,
     curve::{CurveIntersection, NurbsCurve, intersection::intersect::work},
+    sorting::sort_by,
     tolerance::TURN_MARGIN,
 };
 
@@ -54,6 +55,6 @@ pub(super) fn crossings(
         }
     }
     found.retain(|meeting| !is_seam(meeting));
-    found.sort_by(|a, b| a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second)));
+    sort_by(&mut found, |a, b| a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second)));
     Ok(found)
 }

@@ -7,7 +7,9 @@ use super::{
     meeting::{ContactInterval, CurveIntersection, IntersectionSearch, ReportedIntersection},
     newton::{foot, place},
 };
-use crate::{GeomError, Interval, curve::NurbsCurve, tolerance::KNOT_RELATIVE, work};
+use crate::{
+    GeomError, Interval, curve::NurbsCurve, sorting::sort_by, tolerance::KNOT_RELATIVE, work,
+};
 
 /// Places of an arc, its ends among them, at which two curves are compared.
 const ARC_CELLS: usize = 16;
@@ -42,11 +44,11 @@ impl IntersectionSearch<'_> {
         let order = |a: &CurveIntersection, b: &CurveIntersection| {
             a.first.total_cmp(&b.first).then(a.second.total_cmp(&b.second))
         };
-        meetings.sort_by(|a, b| order(&a.meeting, &b.meeting));
+        sort_by(&mut meetings, |a, b| order(&a.meeting, &b.meeting));
         let kept = self.each_once(meetings);
         let mut meetings: Vec<CurveIntersection> =
             kept.into_iter().map(|told| told.meeting).collect();
-        meetings.sort_by(order);
+        sort_by(&mut meetings, order);
         Ok(meetings)
     }
 

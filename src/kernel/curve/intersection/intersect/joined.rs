@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use super::meeting::{ContactInterval, IntersectionSearch};
-use crate::{Interval, curve::NurbsCurve, work};
+use crate::{Interval, curve::NurbsCurve, sorting::sort_by, work};
 
 /// Contacts that the sweep has not left behind, by their place in the order of the second curve.
 type OpenContacts = BTreeMap<usize, ContactInterval>;
@@ -16,9 +16,9 @@ impl IntersectionSearch<'_> {
     /// The contacts, those as one that lie next to one another on both curves, over the seams too.
     pub(super) fn joined_contacts(&self) -> Vec<ContactInterval> {
         let mut contacts = self.contacts.clone();
-        contacts.sort_by(|a, b| a.second.start().total_cmp(&b.second.start()));
+        sort_by(&mut contacts, |a, b| a.second.start().total_cmp(&b.second.start()));
         let mut ranked: Vec<(usize, ContactInterval)> = contacts.into_iter().enumerate().collect();
-        ranked.sort_by(|(_, a), (_, b)| a.first.start().total_cmp(&b.first.start()));
+        sort_by(&mut ranked, |(_, a), (_, b)| a.first.start().total_cmp(&b.first.start()));
         let (mut open, mut joined) = (OpenContacts::new(), Vec::new());
         for (rank, contact) in ranked {
             if !work::goes_on(1) {

@@ -8,6 +8,7 @@ use crate::{
     curve::representation::part::{CurvePart, parts},
     homogeneous,
     nearest::BoxedPiece,
+    sorting::sort_by,
 };
 
 /// A piece of each curve.
@@ -49,7 +50,7 @@ impl IntersectionSearch<'_> {
                 near.push((if is_turned { [j, i] } else { [i, j] }, piece));
             }
         }
-        near.sort_by(|(a, first), (b, second)| {
+        sort_by(&mut near, |(a, first), (b, second)| {
             a.cmp(b).then(first.interval.start().total_cmp(&second.interval.start()))
         });
         let mut pairs = Vec::with_capacity(near.len());

@@ -7,7 +7,7 @@
 use glam::{DMat3, DVec3};
 
 use super::QuadricKind;
-use crate::numeric::symmetric_eigen::principal_axes;
+use crate::{numeric::symmetric_eigen::principal_axes, sorting::sort_by};
 
 /// The left side of a quadratic equation.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +74,7 @@ impl QuadricEquation {
     /// planes, a line or a point. None where the factors that are to be alike have two signs.
     pub(super) fn with_terms(&self, terms: QuadricTerms) -> Option<(Self, Option<QuadricKind>)> {
         let mut axes = principal_axes(self.squares);
-        axes.sort_by(|a, b| b.0.abs().total_cmp(&a.0.abs()));
+        sort_by(&mut axes, |a, b| b.0.abs().total_cmp(&a.0.abs()));
         if terms.n_alike == 2 && terms.n_squares == 3 {
             // The one that differs from the others comes last.
             let gap = |i: usize, j: usize| (axes[i].0 - axes[j].0).abs();

@@ -24,6 +24,7 @@ use crate::{
         linear::solved,
         newton::{NewtonStep, within_limits},
     },
+    sorting::sort_by,
     tolerance::{FLAT_SHARE, LAST_BIT, PLACE_RELATIVE},
     valley::Valley,
     work,
@@ -229,7 +230,7 @@ impl PiercingSearch<'_> {
         &self,
         mut contacts: Vec<LyingPiece>,
     ) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
-        contacts.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
+        sort_by(&mut contacts, |a, b| a.ends[0].total_cmp(&b.ends[0]));
         let mut stretches: Vec<LyingPiece> = Vec::new();
         for contact in contacts {
             match stretches.last_mut() {
@@ -282,7 +283,7 @@ impl PiercingSearch<'_> {
             let [a, b] = [a, b].map(|place| (place.t, place.uv[0], place.uv[1]));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))
         };
-        found.sort_by(order);
+        sort_by(&mut found, order);
         let mut kept: Vec<CurveSurfaceIntersection> = Vec::new();
         for place in found {
             let known = kept.iter_mut().rev().find(|other| {
