@@ -95,7 +95,10 @@ run("a dragged parameter changes the model, and the address keeps its value", as
   const radius = Number.parseFloat(value);
   assert.ok(radius > 10, value);
   await until(page, () => document.querySelector(".claim")?.classList.contains("fail") === (Number.parseFloat(document.querySelector('[data-parameter="size"] .value').value) >= 15));
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 600)));
+  // The address is written a little after the last change; the last change may come late.
+  for (let look = 0; look < 50 && shared(page.url()).values?.size !== value; look++) {
+    await new Promise((done) => setTimeout(done, 100));
+  }
   assert.deepEqual(shared(page.url()).values, { size: value });
 });
 
