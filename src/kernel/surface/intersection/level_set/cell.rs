@@ -14,6 +14,7 @@ use crate::{
     ceiling::{CELLS, MANY_CELLS},
     numeric::polynomial_roots::Signs,
     surface::intersection::square,
+    tolerance::TOUCH_RELATIVE,
     work,
 };
 
@@ -215,8 +216,13 @@ fn steadiness(field: &Grid<f64>, rounding: f64) -> f64 {
 }
 
 /// Branches along which the field touches zero: there a slope vanishes whose own slope has one
-/// sign, so that the field is nowhere else zero.
+/// sign, so that the field is nowhere else zero. None are told of a cell where the field is so small that where
+/// it bends the other way along that line cannot be told from rounding, as about a place where curves cross.
 fn contacts(cell: &PatchCell, rounding: f64) -> Option<Vec<Branch>> {
+    let [least, most] = square::range(&cell.field);
+    if most.max(-least) * TOUCH_RELATIVE.sqrt() < rounding {
+        return None;
+    }
     let touches = |branch: &Branch| {
         (0..=N_PROBES).all(|i| {
             let place = branch.place(i as f64 / N_PROBES as f64);

@@ -6,7 +6,7 @@ use super::{
     branch_sample::BranchSample,
     sample::{BranchSamples, VanishingPlace},
 };
-use crate::tolerance::ONE_PLACE_SHARE;
+use crate::{sorting::sort_by, tolerance::ONE_PLACE_SHARE};
 
 /// Tolerances up to which a run between places where others meet is a part of these places.
 const SHORTEST_BETWEEN: f64 = 16.0;
@@ -19,12 +19,15 @@ pub(super) struct ChainedLines {
 }
 
 /// Joins runs where exactly two ends meet, also over a spot; where more meet, all end in one point.
-/// Ends that nothing meets are joined to others that are within the tolerance.
+/// Runs that pass through an exact spot end there. Ends that nothing meets are joined to others that are within the
+/// tolerance.
 pub(super) fn chained(
     runs: Vec<BranchSamples>,
     spots: &[VanishingPlace],
     tolerance: f64,
 ) -> ChainedLines {
+    let mut runs: Vec<BranchSamples> =
+        runs.into_iter().flat_map(|run| parted(run, spots)).collect();
     let mut groups = EndGroups::new(&runs, spots, ONE_PLACE_SHARE * tolerance);
     let contracted = groups.contract(&runs, SHORTEST_BETWEEN * tolerance);
     // What runs inside a spot says nothing.
@@ -33,7 +36,6 @@ pub(super) fn chained(
             && (contracted.contains(&i) || runs[i].length() <= 4.0 * tolerance)
     };
     let is_lost: Vec<bool> = (0..runs.len()).map(|i| is_inside(i, &mut groups)).collect();
-    let mut runs: Vec<BranchSamples> = runs;
     let ends: Vec<usize> = (0..2 * runs.len()).filter(|end| !is_lost[end / 2]).collect();
 
     let mut members: Vec<Vec<usize>> = vec![Vec::new(); groups.parents.len()];
@@ -73,7 +75,10 @@ pub(super) fn chained(
                 } else {
                     middle_of(own_spots)
                 };
-                members.iter().for_each(|&end| move_end(&mut runs, end, place));
+                let own = own_spots.iter().map(|&i| spots[i]).filter(|spot| spot.is_exact);
+                let radius = own.map(|spot| spot.radius).fold(0.0, f64::max);
+                let radius = radius.min(SHORTEST_BETWEEN * tolerance);
+                members.iter().for_each(|&end| move_end(&mut runs, end, place, radius));
             }
         }
     }
@@ -81,16 +86,56 @@ pub(super) fn chained(
     ChainedLines { lines: walked(&runs, &is_lost, &partner), isolated }
 }
 
+/// The parts of a run between the exact spots in which it neither begins nor ends: where the way from one line to
+/// another that it crosses is shorter than rounding, a graph may turn from one into the other.
+fn parted(run: BranchSamples, spots: &[VanishingPlace]) -> Vec<BranchSamples> {
+    let away = |spot: &VanishingPlace, sample: &BranchSample| sample.point.distance(spot.point);
+    let last = run.samples.len() - 1;
+    let place_within = |spot: &VanishingPlace| {
+        if [0, last].iter().any(|&i| away(spot, &run.samples[i]) <= spot.radius) {
+            return None;
+        }
+        let nearest = (1..last)
+            .min_by(|&i, &k| away(spot, &run.samples[i]).total_cmp(&away(spot, &run.samples[k])));
+        nearest.filter(|&i| away(spot, &run.samples[i]) <= spot.radius)
+    };
+    let exact = spots.iter().filter(|spot| spot.is_exact);
+    let mut places: Vec<usize> = exact.filter_map(place_within).collect();
+    places.sort_unstable();
+    places.dedup();
+    let starts = std::iter::once(0).chain(places.iter().copied());
+    let ends = places.iter().copied().chain([last]);
+    let part = |(start, end)| BranchSamples { samples: run.samples[start..=end].to_vec() };
+    starts.zip(ends).map(part).collect()
+}
+
 fn point(runs: &[BranchSamples], end: usize) -> DVec3 {
     if end.is_multiple_of(2) { runs[end / 2].start() } else { runs[end / 2].end() }
 }
 
-/// The end of a run goes to where several meet; its own tangent there is that of a limit.
-fn move_end(runs: &mut [BranchSamples], end: usize, place: DVec3) {
+/// The end of a run goes to where several meet; its own tangent there is that of a limit. Within the radius samples
+/// tell no direction: from there it comes by a circle.
+fn move_end(runs: &mut [BranchSamples], end: usize, place: DVec3, radius: f64) {
     let samples = &mut runs[end / 2].samples;
-    let sample = if end.is_multiple_of(2) { samples.first_mut() } else { samples.last_mut() };
-    if let Some(sample) = sample {
-        sample.point = place;
+    let is_start = end.is_multiple_of(2);
+    if is_start {
+        samples.reverse();
+    }
+    let is_inside = |sample: &BranchSample| sample.point.distance(place) <= radius;
+    while 2 < samples.len() && is_inside(&samples[samples.len() - 2]) {
+        samples.remove(samples.len() - 2);
+    }
+    if let [.., before, last] = &mut samples[..] {
+        last.point = place;
+        if 0.0 < radius && !is_inside(before) {
+            let chord = (place - before.point).normalize_or_zero();
+            let tangent = if is_start { before.before } else { before.behind };
+            let tangent = 2.0 * chord.dot(tangent) * chord - tangent;
+            (last.before, last.behind) = (tangent, tangent);
+        }
+    }
+    if is_start {
+        samples.reverse();
     }
 }
 
@@ -106,7 +151,7 @@ fn pair_alone(
         .into_iter()
         .map(|(i, k)| (places[i].0.distance(places[k].0), alone[i], alone[k]))
         .collect();
-    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
+    sort_by(&mut pairs, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
     for (_, a, b) in pairs {
         if partner[a].is_none() && partner[b].is_none() {
             partner[a] = Some(b);
@@ -182,7 +227,7 @@ fn joined(line: Vec<BranchSamples>, is_closed: bool) -> Vec<BranchSample> {
 pub(super) fn near_pairs(places: &[(DVec3, f64)], distance: f64) -> Vec<(usize, usize)> {
     let widest = places.iter().map(|place| place.1).fold(0.0, f64::max);
     let mut order: Vec<usize> = (0..places.len()).collect();
-    order.sort_by(|&a, &b| places[a].0.x.total_cmp(&places[b].0.x).then(a.cmp(&b)));
+    sort_by(&mut order, |&a, &b| places[a].0.x.total_cmp(&places[b].0.x).then(a.cmp(&b)));
     let mut pairs = Vec::new();
     for (n, &i) in order.iter().enumerate() {
         let (place, radius) = places[i];

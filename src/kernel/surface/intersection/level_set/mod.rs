@@ -156,10 +156,13 @@ impl ZeroSetParts {
                 continue;
             }
             let resting = slopes.as_ref().and_then(|slopes| slopes.resting_place(middle, widths));
-            let [u, v] = at(resting.unwrap_or(middle));
-            let radius = extents[0] * widths[0] + extents[1] * widths[1];
-            let (point, is_exact) = (patch.point_at(u, v), resting.is_some());
-            self.spots.push(VanishingPlace { point, radius, is_exact });
+            let [center, point] = [middle, resting.unwrap_or(middle)].map(|place| {
+                let [u, v] = at(place);
+                patch.point_at(u, v)
+            });
+            // All of the cell is one place with it: ends of curves lie on its sides.
+            let radius = extents[0] * widths[0] + extents[1] * widths[1] + point.distance(center);
+            self.spots.push(VanishingPlace { point, radius, is_exact: resting.is_some() });
         }
         Ok(())
     }

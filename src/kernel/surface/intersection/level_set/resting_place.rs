@@ -29,9 +29,8 @@ impl FieldSlopes {
     /// The one place, by fractions of the patch, about which a cell of these widths lies and where both slopes vanish, by
     /// Newton's method; none where the field bends in one direction alone, as where it touches zero along a line.
     pub(super) fn resting_place(&self, middle: [f64; 2], widths: [f64; 2]) -> Option<[f64; 2]> {
-        let limits = [0, 1].map(|i| {
-            [(middle[i] - REACH * widths[i]).max(0.0), (middle[i] + REACH * widths[i]).min(1.0)]
-        });
+        // Also beyond the patch: on its border the place is as far inside as rounding has it.
+        let limits = [0, 1].map(|i| [middle[i] - REACH * widths[i], middle[i] + REACH * widths[i]]);
         let is_still =
             |a: [f64; 2], b: [f64; 2]| (0..2).all(|i| (a[i] - b[i]).abs() <= PARAMETER_RELATIVE);
         within_limits(limits, middle, NEWTON_STEPS, is_still, |at| {
@@ -44,5 +43,8 @@ impl FieldSlopes {
         })
         .settled()
         .filter(|at| (0..2).all(|i| limits[i][0] < at[i] && at[i] < limits[i][1]))
+        .map(|at| [at, at.map(|at| at.clamp(0.0, 1.0))])
+        .filter(|&[at, within]| is_still(at, within))
+        .map(|[_, within]| within)
     }
 }
