@@ -48,9 +48,9 @@ fn is_small(value: &Value) -> bool {
     }
 }
 
-/// Whether measuring takes a closer look: of trimmed faces it takes long.
+/// Whether measuring takes a closer look: areas of surfaces and of what is trimmed take long.
 fn is_slow(value: &Value) -> bool {
-    matches!(value, Value::Face(_) | Value::Solid(_))
+    matches!(value, Value::Surface(_) | Value::Face(_) | Value::Solid(_))
 }
 
 /// `, length 124.6 mm`; nothing where that takes long, or cannot be told.

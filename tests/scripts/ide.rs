@@ -216,13 +216,18 @@ fn files_and_labels_are_those_that_are_left() {
 #[test]
 fn a_hover_measures() {
     let told = |marked: &str| scene(marked).hover();
+    let rim = "curve rim = circle((0, 0), 2)\nprint ri‸m";
+    assert!(told(rim).ends_with("length 12.5664 mm"), "{}", told(rim));
+    let closer = |marked: &str, name: &str| {
+        let one = scene(marked);
+        one.values.measures(one.values.value(name).expect("a value"))
+    };
     let ball = "surface ball = sphere((0, 0), 2)\nprint bal‸l";
-    assert!(told(ball).ends_with("area 50.2655 mm^2"), "{}", told(ball));
+    assert!(!told(ball).contains("area"), "that takes a closer look: {}", told(ball));
+    assert_eq!(closer(ball, "ball"), "area 50.2655 mm^2");
     let block = "solid block = extrude(region(circle((0, 0), 1)), (0, 0, 2))\nprint bloc‸k";
     assert!(told(block).ends_with("solid of 3 faces"), "that takes a closer look: {}", told(block));
-    let one = scene(block);
-    let measures = one.values.measures(one.values.value("block").expect("a value"));
-    assert_eq!(measures, "volume 6.28319 mm^3, area 18.8496 mm^2");
+    assert_eq!(closer(block, "block"), "volume 6.28319 mm^3, area 18.8496 mm^2");
     let param = "param width = 5mm in 1mm..9mm step 1mm \"How wide\"\nprint widt‸h";
     assert_eq!(told(param), "```geo\nparam width in 1mm..9mm step 1mm\n```\n\n5 mm\n\n*How wide*");
 }

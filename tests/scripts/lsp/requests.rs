@@ -94,7 +94,7 @@ fn a_hover_has_a_picture_where_pictures_are_shown() {
     let marked = json!({ "general": { "markdown": { "parser": "marked" } } });
     let told = shown(marked.clone(), 0, true)["value"].as_str().unwrap().to_owned();
     let (words, picture) = told.split_once("\n\n![](data:image/png;base64,").unwrap();
-    assert!(words.ends_with(", area 50.2655 mm^2"), "{words}");
+    assert!(words.ends_with("\n\narea 50.2655 mm^2"), "{words}");
     assert!(picture.starts_with("iVBORw0KGgo") && picture.len() < 20_000);
     assert!(!shown(marked.clone(), 1, false)["value"].as_str().unwrap().contains("!["));
     assert!(
