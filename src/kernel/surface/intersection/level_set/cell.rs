@@ -6,15 +6,14 @@
 //! touches zero. Of a zero set that counts under conditions only, such as on the lit side, cells
 //! where one fails are dropped, and those cut where it is open.
 
-use std::ops::Mul;
+use std::{cell::LazyCell, ops::Mul};
 
-use super::branch::Branch;
+use super::{branch::Branch, resting_place::FieldSlopes};
 use crate::{
     Direction, Grid, Interval, bernstein,
     ceiling::{CELLS, MANY_CELLS},
     numeric::polynomial_roots::Signs,
     surface::intersection::square,
-    tolerance::TOUCH_RELATIVE,
     work,
 };
 
@@ -132,6 +131,9 @@ pub(super) fn search(
     n_left: &mut usize,
 ) -> Result<PatchZeroSet, SearchFailure> {
     let mut found = PatchZeroSet::default();
+    let whole = field.clone();
+    let slopes = LazyCell::new(|| FieldSlopes::of(&whole));
+    let is_crossing = |place: [f64; 2]| slopes.bends_both_ways(place, fineness.extents);
     let mut todo = vec![PatchCell { low: [0.0; 2], high: [1.0; 2], field, conditions }];
     while let Some(mut cell) = todo.pop() {
         let middle = [0, 1].map(|i| 0.5 * (cell.low[i] + cell.high[i]));
@@ -150,7 +152,7 @@ pub(super) fn search(
         let branches = (!is_open)
             .then(|| {
                 graphs(&cell, &cell.field, fineness.rounding)
-                    .or_else(|| contacts(&cell, fineness.rounding))
+                    .or_else(|| contacts(&cell, fineness.rounding, is_crossing))
             })
             .flatten();
         if let Some(branches) = branches {
@@ -216,18 +218,18 @@ fn steadiness(field: &Grid<f64>, rounding: f64) -> f64 {
 }
 
 /// Branches along which the field touches zero: there a slope vanishes whose own slope has one
-/// sign, so that the field is nowhere else zero. None are told of a cell where the field is so small that where
-/// it bends the other way along that line cannot be told from rounding, as about a place where curves cross.
-fn contacts(cell: &PatchCell, rounding: f64) -> Option<Vec<Branch>> {
-    let [least, most] = square::range(&cell.field);
-    if most.max(-least) * TOUCH_RELATIVE.sqrt() < rounding {
-        return None;
-    }
+/// sign, so that the field is nowhere else zero. In small cells also a field that crosses zero twice is zero along such
+/// a branch, to rounding; `is_crossing` tells its places.
+fn contacts(
+    cell: &PatchCell,
+    rounding: f64,
+    is_crossing: impl Fn([f64; 2]) -> bool,
+) -> Option<Vec<Branch>> {
     let touches = |branch: &Branch| {
         (0..=N_PROBES).all(|i| {
             let place = branch.place(i as f64 / N_PROBES as f64);
             let local = [0, 1].map(|k| (place[k] - cell.low[k]) / cell.widths()[k]);
-            square::value(&cell.field, local).abs() <= rounding
+            square::value(&cell.field, local).abs() <= rounding && !is_crossing(place)
         })
     };
     let along = |slopes: Grid<f64>, is_swapped: bool| {

@@ -11,6 +11,9 @@ use crate::{sorting::sort_by, tolerance::ONE_PLACE_SHARE};
 /// Tolerances up to which a run between places where others meet is a part of these places.
 const SHORTEST_BETWEEN: f64 = 16.0;
 
+/// Radii of a place up to which a sample is near it: of longer steps a circle says less than the samples in them.
+const NEAR_RADII: f64 = 8.0;
+
 /// Lines, and the spots through which none goes.
 #[derive(Debug, Default)]
 pub(super) struct ChainedLines {
@@ -27,7 +30,7 @@ pub(super) fn chained(
     tolerance: f64,
 ) -> ChainedLines {
     let mut runs: Vec<BranchSamples> =
-        runs.into_iter().flat_map(|run| parted(run, spots)).collect();
+        runs.into_iter().flat_map(|run| parted(run, spots, tolerance)).collect();
     let mut groups = EndGroups::new(&runs, spots, ONE_PLACE_SHARE * tolerance);
     let contracted = groups.contract(&runs, SHORTEST_BETWEEN * tolerance);
     // What runs inside a spot says nothing.
@@ -76,8 +79,7 @@ pub(super) fn chained(
                     middle_of(own_spots)
                 };
                 let own = own_spots.iter().map(|&i| spots[i]).filter(|spot| spot.is_exact);
-                let radius = own.map(|spot| spot.radius).fold(0.0, f64::max);
-                let radius = radius.min(SHORTEST_BETWEEN * tolerance);
+                let radius = own.map(|spot| reach(&spot, tolerance)).fold(0.0, f64::max);
                 members.iter().for_each(|&end| move_end(&mut runs, end, place, radius));
             }
         }
@@ -86,18 +88,23 @@ pub(super) fn chained(
     ChainedLines { lines: walked(&runs, &is_lost, &partner), isolated }
 }
 
+/// How far about an exact spot samples say nothing: rounding makes wide spots of flat places, in which they do.
+fn reach(spot: &VanishingPlace, tolerance: f64) -> f64 {
+    spot.radius.min(SHORTEST_BETWEEN * tolerance)
+}
+
 /// The parts of a run between the exact spots in which it neither begins nor ends: where the way from one line to
 /// another that it crosses is shorter than rounding, a graph may turn from one into the other.
-fn parted(run: BranchSamples, spots: &[VanishingPlace]) -> Vec<BranchSamples> {
-    let away = |spot: &VanishingPlace, sample: &BranchSample| sample.point.distance(spot.point);
+fn parted(run: BranchSamples, spots: &[VanishingPlace], tolerance: f64) -> Vec<BranchSamples> {
+    let away = |spot: &VanishingPlace, i: usize| run.samples[i].point.distance(spot.point);
     let last = run.samples.len() - 1;
     let place_within = |spot: &VanishingPlace| {
-        if [0, last].iter().any(|&i| away(spot, &run.samples[i]) <= spot.radius) {
+        let is_within = |&i: &usize| away(spot, i) <= reach(spot, tolerance);
+        if [0, last].iter().any(is_within) {
             return None;
         }
-        let nearest = (1..last)
-            .min_by(|&i, &k| away(spot, &run.samples[i]).total_cmp(&away(spot, &run.samples[k])));
-        nearest.filter(|&i| away(spot, &run.samples[i]) <= spot.radius)
+        let nearest = (1..last).min_by(|&i, &k| away(spot, i).total_cmp(&away(spot, k)));
+        nearest.filter(is_within)
     };
     let exact = spots.iter().filter(|spot| spot.is_exact);
     let mut places: Vec<usize> = exact.filter_map(place_within).collect();
@@ -114,24 +121,24 @@ fn point(runs: &[BranchSamples], end: usize) -> DVec3 {
 }
 
 /// The end of a run goes to where several meet; its own tangent there is that of a limit. Within the radius samples
-/// tell no direction: from there it comes by a circle.
+/// tell no direction: where the next one is near, the run comes from there by a circle.
 fn move_end(runs: &mut [BranchSamples], end: usize, place: DVec3, radius: f64) {
     let samples = &mut runs[end / 2].samples;
     let is_start = end.is_multiple_of(2);
     if is_start {
         samples.reverse();
     }
-    let is_inside = |sample: &BranchSample| sample.point.distance(place) <= radius;
-    while 2 < samples.len() && is_inside(&samples[samples.len() - 2]) {
-        samples.remove(samples.len() - 2);
-    }
-    if let [.., before, last] = &mut samples[..] {
+    let away = |sample: &BranchSample| sample.point.distance(place);
+    if let Some((last, others)) = samples.split_last_mut() {
         last.point = place;
-        if 0.0 < radius && !is_inside(before) {
-            let chord = (place - before.point).normalize_or_zero();
-            let tangent = if is_start { before.before } else { before.behind };
+        let before = others.iter().rposition(|sample| radius < away(sample));
+        if let Some(before) = before.filter(|&i| away(&others[i]) <= NEAR_RADII * radius) {
+            let sample = others[before];
+            let chord = (place - sample.point).normalize_or_zero();
+            let tangent = if is_start { sample.before } else { sample.behind };
             let tangent = 2.0 * chord.dot(tangent) * chord - tangent;
             (last.before, last.behind) = (tangent, tangent);
+            samples.drain(before + 1..samples.len() - 1);
         }
     }
     if is_start {

@@ -5,7 +5,7 @@ use crate::{
     ceiling::NEWTON_STEPS,
     numeric::newton::{NewtonStep, within_limits},
     surface::intersection::square,
-    tolerance::{LAST_BIT, PARAMETER_RELATIVE},
+    tolerance::{LAST_BIT, PARAMETER_RELATIVE, TOUCH_RELATIVE},
 };
 
 /// Widths of a cell by which the place may lie beside its middle: where rounding leaves several cells about it, none
@@ -24,6 +24,15 @@ impl FieldSlopes {
         let second =
             [square::slope_u(&first[0]), square::slope_v(&first[0]), square::slope_v(&first[1])];
         Self { first, second }
+    }
+
+    /// Whether the field bends both ways at a place, by fractions of a patch of these extents in space: where it touches zero
+    /// along a line it is straight along it, to rounding.
+    pub(super) fn bends_both_ways(&self, at: [f64; 2], [along_u, along_v]: [f64; 2]) -> bool {
+        let [uu, uv, vv] = self.second.each_ref().map(|slope| square::value(slope, at));
+        let [uu, uv, vv] = [uu / along_u / along_u, uv / along_u / along_v, vv / along_v / along_v];
+        let most = uu.abs().max(uv.abs()).max(vv.abs());
+        uu * vv - uv * uv < -TOUCH_RELATIVE.sqrt() * most * most
     }
 
     /// The one place, by fractions of the patch, about which a cell of these widths lies and where both slopes vanish, by
