@@ -10,7 +10,7 @@ use std::cmp::Ordering;
 /// ```
 /// use virote_kernel::sorting::sort_by;
 ///
-/// let mut ends = [(2.0, "b"), (-1.0, "c"), (2.0, "a")];
+/// let mut ends = [(2.0_f64, "b"), (-1.0, "c"), (2.0, "a")];
 /// sort_by(&mut ends, |a, b| a.0.total_cmp(&b.0));
 /// assert_eq!(ends.map(|(_, name)| name), ["c", "b", "a"]);
 /// ```
