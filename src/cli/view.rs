@@ -23,7 +23,7 @@ use crate::{
     disk::{OutputTarget, Script, TargetRefusal, replace},
     export::io_reason,
     limits::work::StopToken,
-    view::{SinglePage, ViewedScript, Viewer},
+    view::{OutsideAddress, SinglePage, ViewedScript, Viewer},
 };
 
 /// How often it is asked whether Ctrl-C was pressed.
@@ -37,11 +37,14 @@ pub(super) struct ViewOptions {
     /// The port of the page; 0 takes a free one
     #[arg(long, value_name = "N", default_value_t = 0)]
     port: u16,
+    /// Where the browser finds the page, if a proxy or a forwarded port stands between
+    #[arg(long, value_name = "URL")]
+    origin: Option<OutsideAddress>,
     /// Opens no browser
     #[arg(long)]
     no_open: bool,
     /// Writes a page that shows the model anywhere, without evaluation, and serves nothing
-    #[arg(long, value_name = "PAGE.html", conflicts_with_all = ["port", "no_open", "out"])]
+    #[arg(long, value_name = "PAGE.html", conflicts_with_all = ["port", "origin", "no_open", "out"])]
     export: Option<PathBuf>,
     /// The folder for exported files [default: the script's own]
     #[arg(long, value_name = "DIR")]
@@ -81,7 +84,7 @@ pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
         return export(&script, page, &voice);
     }
     interrupt::listen_once();
-    let viewer = match Viewer::start(&script, asked.port) {
+    let viewer = match Viewer::start(&script, asked.port, asked.origin.as_ref()) {
         Ok(viewer) => viewer,
         Err(err) => {
             voice.trouble(&unserved(asked.port, &err));

@@ -92,7 +92,7 @@ impl CompletionSpot<'_> {
             .collect();
         let (&head, mut rest) = pieces.split_first()?;
         let mut owner = match rest.first() {
-            Some(&"(") if self.registry.get(head).is_some() => {
+            Some(&"(") if self.registry.get(head).is_some() && !self.is_defined(head) => {
                 rest = behind_brackets(rest);
                 let (_, ops) = self.registry.get(head)?;
                 Owner::Type(ops.first()?.returns)
@@ -110,6 +110,14 @@ impl CompletionSpot<'_> {
             rest = if piece == "." { &rest[rest.len().min(2)..] } else { behind_brackets(rest) };
         }
         Some(owner)
+    }
+
+    /// Whether the script itself says what a name stands for here, also where there is an operation of that name.
+    fn is_defined(&self, name: &str) -> bool {
+        let is_known = |known: &super::DefinedName| {
+            known.name == name && (known.is_of_file || known.scope.contains(&self.at))
+        };
+        self.document.outline.names.iter().any(is_known)
     }
 
     /// What a name stands for: its value, or what it promises.

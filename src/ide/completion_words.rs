@@ -9,7 +9,7 @@ use super::{
 use crate::{
     diag::Code,
     docs, eval,
-    export::{ExportOption, FORMATS},
+    export::{ExportOption, Format},
     session,
     syntax::{OpenCall, ast::Unit, open_call},
     value::{COLOR_NAMES, OpParameter},
@@ -100,7 +100,9 @@ impl CompletionSpot<'_> {
             let name = if entry.is_folder { entry.name + "/" } else { entry.name };
             let is_fitting = entry.is_folder
                 || endings.is_empty()
-                || name.rsplit_once('.').is_some_and(|(_, ending)| endings.contains(&ending));
+                || name.rsplit_once('.').is_some_and(|(_, ending)| {
+                    endings.iter().any(|of| of.eq_ignore_ascii_case(ending))
+                });
             Completion::new(name, CompletionKind::File, &range).detail(detail).fitting(is_fitting)
         };
         list(folder).into_iter().map(entry).collect()
@@ -133,10 +135,7 @@ impl CompletionSpot<'_> {
     pub(super) fn export_options(&self) -> Vec<&'static ExportOption> {
         let statement = self.before().rfind("export").map(|start| &self.before()[start..]);
         let path = statement.and_then(|text| text.split('"').nth(1));
-        let ending = path.and_then(|path| path.rsplit('.').next()).unwrap_or_default();
-        let format = FORMATS
-            .iter()
-            .find(|format| format.ending == ending || format.aliases.contains(&ending));
+        let format = path.and_then(Format::of_path);
         format.map(|format| format.options.to_vec()).unwrap_or_default()
     }
 

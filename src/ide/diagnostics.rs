@@ -66,13 +66,17 @@ pub fn fixes<'d>(sources: &Sources, found: &'d Diagnostic) -> Vec<(&'d str, Vec<
     let edits = |fix: &'d Fix| -> Option<Vec<TextEdit>> {
         let edit = |(span, text): &(Span, String)| {
             let place = SourceRange::of(sources, *span);
-            let before = sources.iter().next()?.text.get(place.range.clone())?;
+            let script = &sources.iter().next()?.text;
+            let before = script.get(place.range.clone())?;
+            let is_spaced = script.get(place.range.end..)?.starts_with(' ');
             // A string takes the place of a string only: what computes one is not a slip.
             let is_odd = text.starts_with('"')
                 && before.chars().any(|c| "({[+".contains(c))
                 && !before.starts_with('"');
+            // A space that stands there already is not written once more.
+            let text = if is_spaced { text.trim_end_matches(' ') } else { text };
             (place.source == 0 && !is_odd)
-                .then(|| TextEdit { range: place.range, text: text.clone() })
+                .then(|| TextEdit { range: place.range, text: text.to_owned() })
         };
         fix.edits.iter().map(edit).collect()
     };

@@ -3,38 +3,89 @@
 //! Other pages in the same browser can send requests to this machine too. They cannot send our host
 //! name (a foreign name that resolves here has its own), nor do they know the token.
 
-use std::hash::{BuildHasher, Hasher, RandomState};
+use std::{
+    hash::{BuildHasher, Hasher, RandomState},
+    str::FromStr,
+};
 
 use super::http::{HttpError, Request};
+
+/// Where else than at this machine's own address the browser finds the server: what a proxy or a forwarded port is reached
+/// by.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct OutsideAddress {
+    /// Scheme and host, as a browser names the origin of a request.
+    origin: String,
+    /// What stands before the paths of the page, without a slash at its end.
+    prefix: String,
+}
+
+impl FromStr for OutsideAddress {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let bad =
+            || format!("`{text}` is no address of a page such as `https://host:8443/proxy/8123/`");
+        let is_plain = text.chars().all(|c| c.is_ascii_graphic() && !"\"'<>\\?#@`".contains(c));
+        let scheme = ["http://", "https://"].into_iter().find(|scheme| text.starts_with(scheme));
+        let scheme = scheme.filter(|_| is_plain).ok_or_else(bad)?;
+        let (host, path) =
+            text[scheme.len()..].split_once('/').unwrap_or((&text[scheme.len()..], ""));
+        if host.is_empty() {
+            return Err(bad());
+        }
+        // Browsers leave the port away that goes with the scheme, and write hosts in small letters.
+        let usual = if scheme == "https://" { ":443" } else { ":80" };
+        let host = host.strip_suffix(usual).unwrap_or(host).to_ascii_lowercase();
+        let path = path.trim_end_matches('/');
+        let prefix = if path.is_empty() { String::new() } else { format!("/{path}") };
+        Ok(Self { origin: format!("{scheme}{host}"), prefix })
+    }
+}
 
 /// What a request must show.
 #[derive(Debug)]
 pub(super) struct Guard {
-    hosts: [String; 2],
+    /// Origins of the page, of which each ends with a host that the page has.
+    origins: Vec<String>,
+    /// The address of the page, up to its token.
+    base: String,
     token: String,
 }
 
 impl Guard {
     /// For a server at this port, with a token that nobody can guess.
-    pub(super) fn new(port: u16) -> Self {
+    pub(super) fn new(port: u16, outside: Option<&OutsideAddress>) -> Self {
         // The keys of a hasher are 128 bits that the system drew.
         let draw = || RandomState::new().build_hasher().finish();
         let token = format!("{:016x}{:016x}", draw(), draw());
-        Self { hosts: [format!("127.0.0.1:{port}"), format!("localhost:{port}")], token }
+        let mut origins: Vec<String> =
+            ["127.0.0.1", "localhost"].map(|host| format!("http://{host}:{port}")).into();
+        let base = match outside {
+            Some(OutsideAddress { origin, prefix }) => {
+                origins.push(origin.clone());
+                format!("{origin}{prefix}")
+            }
+            None => origins[0].clone(),
+        };
+        Self { origins, base, token }
     }
 
     /// The address of the page.
     pub(super) fn address(&self) -> String {
-        format!("http://{}/?token={}", self.hosts[0], self.token)
+        format!("{}/?token={}", self.base, self.token)
     }
 
     /// Whether a request may be answered.
     pub(super) fn check(&self, request: &Request) -> Result<(), HttpError> {
-        let is_host = |host: &str| self.hosts.iter().any(|own| own == host);
+        let is_host = |host: &str| {
+            let mut hosts = self.origins.iter().filter_map(|origin| origin.split_once("://"));
+            hosts.any(|(_, own)| own == host)
+        };
         if !request.header("host").is_some_and(is_host) {
             return Err(HttpError(403, "this is another host"));
         }
-        let is_own = |origin: &str| origin.strip_prefix("http://").is_some_and(is_host);
+        let is_own = |origin: &str| self.origins.iter().any(|own| own == origin);
         if !request.header("origin").is_none_or(is_own) {
             return Err(HttpError(403, "this is for the page of this server alone"));
         }
@@ -70,13 +121,45 @@ fn is_same(a: &str, b: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Guard, is_json, is_same};
+    use super::{Guard, OutsideAddress, is_json, is_same};
 
     #[test]
     fn tokens_are_long_and_new() {
-        let [a, b] = [Guard::new(1), Guard::new(1)];
+        let [a, b] = [Guard::new(1, None), Guard::new(1, None)];
         assert!(a.token.len() == 32 && a.token != b.token);
         assert!(is_same(&a.token, &a.token) && !is_same(&a.token, &a.token[1..]));
         assert!(is_json("Application/JSON; charset=utf-8") && !is_json("text/plain"));
+    }
+
+    #[test]
+    fn an_outside_address_has_a_scheme_and_a_host() {
+        let address = |text: &str| {
+            let outside: OutsideAddress = text.parse().ok()?;
+            let guard = Guard::new(1, Some(&outside));
+            guard.address().split_once("/?token=").map(|(base, _)| base.to_owned())
+        };
+        for (text, base) in [
+            ("http://127.0.0.1:9", "http://127.0.0.1:9"),
+            (
+                "https://Hub.example.org:443/user/me/proxy/8123/",
+                "https://hub.example.org/user/me/proxy/8123",
+            ),
+            ("https://h/", "https://h"),
+        ] {
+            assert_eq!(address(text).as_deref(), Some(base));
+        }
+        for text in [
+            "",
+            "h",
+            "ftp://h",
+            "http://",
+            "http:///x",
+            "http://me@h",
+            "http://h/?x",
+            "http://h/\"",
+            "http://h /",
+        ] {
+            assert_eq!(address(text), None, "{text}");
+        }
     }
 }

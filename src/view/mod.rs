@@ -25,6 +25,7 @@ use std::{
     thread,
 };
 
+pub(crate) use self::guard::OutsideAddress;
 use self::{doors::Doors, guard::Guard, hub::Hub, worker::PageWorker};
 use crate::{
     eval::Setting,
@@ -107,13 +108,18 @@ impl SinglePage {
 }
 
 impl Viewer {
-    /// Serves a script at a port of this machine; at 0 the system chooses.
+    /// Serves a script at a port of this machine; at 0 the system chooses. The browser finds it at the address outside, or at
+    /// the port itself.
     ///
     /// # Errors
     /// Where the port is not to be had.
-    pub(crate) fn start(script: &ViewedScript<'_>, port: u16) -> io::Result<Self> {
+    pub(crate) fn start(
+        script: &ViewedScript<'_>,
+        port: u16,
+        outside: Option<&OutsideAddress>,
+    ) -> io::Result<Self> {
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port))?;
-        let guard = Arc::new(Guard::new(listener.local_addr()?.port()));
+        let guard = Arc::new(Guard::new(listener.local_addr()?.port(), outside));
         let worker = script.worker();
         let hub = Arc::clone(&worker.hub);
         let followed = Arc::clone(&worker.followed);

@@ -3,7 +3,8 @@
 use std::{fs, path::Path};
 
 use virote::{
-    diag::{Diagnostic, Fix},
+    diag::Diagnostic,
+    ide,
     session::{Report, Session},
     value::MemoryFiles,
 };
@@ -12,23 +13,18 @@ fn run(text: &str, files: &MemoryFiles) -> Report {
     Session::default().run("main.geo", text.as_bytes(), files, &[])
 }
 
-fn applied(text: &str, fix: &Fix) -> String {
-    let mut edits = fix.edits.clone();
-    edits.sort_by_key(|(span, _)| std::cmp::Reverse(span.start));
-    let mut text = text.to_owned();
-    for (span, new) in edits {
-        text.replace_range(span.range(), &new);
-    }
-    text
+/// The text after the first fix of a run.
+fn mended(text: &str, report: &Report) -> String {
+    let mut fixes = report.diagnostics.iter().flat_map(|found| ide::fixes(&report.sources, found));
+    let fix = fixes.next();
+    assert!(fix.is_some(), "{text}: no fix: {:?}", report.diagnostics);
+    ide::applied(text, &fix.expect("there is one").1)
 }
 
 #[track_caller]
 fn check(wrong: &str, right: &str) {
     let report = run(wrong, &MemoryFiles::default());
-    let fix = report.diagnostics.iter().find_map(|found| found.fixes.first());
-    assert!(fix.is_some(), "{wrong}: no fix: {:?}", report.diagnostics);
-    let fix = fix.expect("there is one");
-    assert_eq!(applied(wrong, fix), right);
+    assert_eq!(mended(wrong, &report), right);
     let after = run(right, &MemoryFiles::default());
     assert!(after.diagnostics.is_empty(), "{right}: {:?}", after.diagnostics);
 }
@@ -82,6 +78,9 @@ fn habits_from_elsewhere_are_mended() {
     check("let a = 3 in 1..5  print a", "param a = 3 in 1..5  print a");
     check("geo 7\nprint 1", "geo 1\nprint 1");
     check("let a = 2  print a(3)", "let a = 2  print a * (3)");
+    check("let a = 2  print a (3)", "let a = 2  print a * (3)");
+    check("print 2(3)", "print 2 * (3)");
+    check("let r = 2  print 3(r)", "let r = 2  print 3 * (r)");
     check("print sin(90)", "print sin(90deg)");
     check("check 0.1 + 0.2 == 0.3", "check 0.1 + 0.2 ~= 0.3");
     check("param a = 3 in 5..1", "param a = 3 in 1..5");
@@ -102,10 +101,7 @@ fn files_are_mended() {
         ("import \"my-part.geo\"", "import \"my-part.geo\" as my_part"),
         ("print load(\"a.cvs\")", "print load(\"a.csv\")"),
     ] {
-        let report = run(wrong, &files);
-        let fix = report.diagnostics.iter().find_map(|found| found.fixes.first());
-        let fix = fix.unwrap_or_else(|| panic!("{wrong}: {:?}", report.diagnostics));
-        assert_eq!(applied(wrong, fix), right);
+        assert_eq!(mended(wrong, &run(wrong, &files)), right);
         assert!(run(right, &files).diagnostics.is_empty(), "{right}");
     }
 }
@@ -134,14 +130,11 @@ fn what_was_found_is_gone_after_its_fix() {
         };
         let before = run(text, &files);
         for found in &before.diagnostics {
-            for fix in &found.fixes {
-                if fix.edits.iter().any(|(span, _)| text.len() < span.end as usize) {
-                    continue;
-                }
+            for (_, edits) in ide::fixes(&before.sources, found) {
                 n_fixes += 1;
-                let after = run(&applied(text, fix), &files);
+                let after = run(&ide::applied(text, &edits), &files);
                 if count(&before, found) <= count(&after, found) {
-                    left.push(format!("{}: {} {:?}", path.display(), found.message, fix));
+                    left.push(format!("{}: {} {edits:?}", path.display(), found.message));
                 }
             }
         }

@@ -40,6 +40,7 @@ impl Scene {
         let list = |folder: &str| match folder {
             "" => vec![
                 FolderEntry { name: "part.geo".to_owned(), is_folder: false },
+                FolderEntry { name: "TABLE.CSV".to_owned(), is_folder: false },
                 FolderEntry { name: "data".to_owned(), is_folder: true },
             ],
             _ => Vec::new(),
@@ -186,6 +187,8 @@ fn members_are_those_of_the_expression_before_the_dot() {
     assert!(of("print circle((0, 0), 2).‸").contains(&"knots".to_owned()));
     assert!(of("solid s = solid(sphere((0, 0), 2))\nprint s.‸").contains(&"vertices".to_owned()));
     assert_eq!(of("curve c = line((0, 0), (1, 0))\nprint c(0.5).‸"), ["x", "y", "z"]);
+    // A function of the script hides the built-in of its name.
+    assert_eq!(of("fn circle(r) = r\nprint circle(2).‸"), [""; 0]);
     // By what it promises, where it has no value.
     assert!(of("curve c = nothing()\nprint c.‸").contains(&"degree".to_owned()));
     let degree = scene("curve c = line((0, 0), (1, 0))\nprint c.‸").completion("degree");
@@ -197,7 +200,7 @@ fn files_and_labels_are_those_that_are_left() {
     let files = scene("let a = load(\"‸\")").completions();
     let names: Vec<(&str, bool)> =
         files.iter().map(|one| (one.label.as_str(), one.is_fitting)).collect();
-    assert_eq!(names, [("data/", true), ("part.geo", false)]);
+    assert_eq!(names, [("TABLE.CSV", true), ("data/", true), ("part.geo", false)]);
     let labels = scene("let c = circle((0, 0), ‸)").completions();
     let labels: Vec<&str> = labels
         .iter()

@@ -38,7 +38,7 @@ async function start() {
     await client.start();
   } catch (error) {
     const choice = await vscode.window.showErrorMessage(
-      `\`${server.command} lsp\` does not start: ${error.message}. Is virote installed, and is \`virote.path\` right?`,
+      `\`${server.command} lsp\` does not start: ${error?.message ?? error} Is virote installed, and is \`virote.path\` right?`,
       "Settings",
     );
     if (choice) vscode.commands.executeCommand("workbench.action.openSettings", "virote.path");

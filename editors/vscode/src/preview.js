@@ -5,23 +5,49 @@
 
 const { spawn } = require("node:child_process");
 const { randomBytes } = require("node:crypto");
+const { createServer } = require("node:net");
 const readline = require("node:readline");
 const { definitionsAt, placeOf } = require("./cursor");
 
 /** Milliseconds for which the cursor rests before the page follows it. */
 const REST = 80;
 
-/** Starts `virote view` for a script: the address of its page, and what ends it. */
-function serve(command, file) {
-  const child = spawn(command, ["view", "--no-open", file], { stdio: ["ignore", "pipe", "pipe"] });
-  let trouble = "";
-  child.stderr.on("data", (text) => (trouble += text));
-  const address = new Promise((resolve, reject) => {
-    readline.createInterface({ input: child.stdout }).once("line", resolve);
-    child.once("error", reject);
-    child.once("exit", () => reject(new Error(trouble.trim() || "the viewer ended")));
+/** A port of this machine that nobody uses. */
+const freePort = () =>
+  new Promise((resolve, reject) => {
+    const server = createServer();
+    server.once("error", reject);
+    server.listen(0, "127.0.0.1", () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
   });
-  return { address, stop: () => child.kill() };
+
+/**
+ * Starts `virote view` for a script: the address of its page, and what ends it. `outside` tells under which address the person's
+ * machine reaches one of this machine, which may be another.
+ */
+function serve(command, file, outside = async (address) => address) {
+  let child;
+  let isStopped = false;
+  const begin = async () => {
+    const port = await freePort();
+    const origin = await outside(`http://127.0.0.1:${port}/`);
+    if (isStopped) throw new Error("the viewer ended");
+    child = spawn(command, ["view", "--no-open", "--port", `${port}`, "--origin", origin, file], { stdio: ["ignore", "pipe", "pipe"] });
+    let trouble = "";
+    child.stderr.on("data", (text) => (trouble += text));
+    return new Promise((resolve, reject) => {
+      readline.createInterface({ input: child.stdout }).once("line", resolve);
+      child.once("error", reject);
+      child.once("exit", () => reject(new Error(trouble.trim() || "the viewer ended")));
+    });
+  };
+  const stop = () => {
+    isStopped = true;
+    child?.kill();
+  };
+  return { address: begin(), stop };
 }
 
 /** The panel's own page: a frame with that of the viewer, and what hands messages through. */
@@ -137,8 +163,7 @@ class Preview {
     }
     if (known) return;
     try {
-      const outside = await vscode.env.asExternalUri(vscode.Uri.parse(await panel.viewer.address));
-      panel.panel.webview.html = page(outside.toString(true));
+      panel.panel.webview.html = page(await panel.viewer.address);
     } catch (error) {
       panel.panel.dispose();
       vscode.window.showErrorMessage(`\`virote view\` does not start: ${error.message}`);
@@ -154,7 +179,8 @@ class Preview {
       { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
       { enableScripts: true, retainContextWhenHidden: true },
     );
-    const viewer = serve(this.command(), file);
+    const outside = async (address) => (await vscode.env.asExternalUri(vscode.Uri.parse(address))).toString(true);
+    const viewer = serve(this.command(), file, outside);
     const panel = new Panel(vscode, this.ask, document, webview, viewer);
     this.open.set(file, panel);
     webview.onDidDispose(() => {

@@ -66,7 +66,7 @@ test("the panel shows the page of the viewer and nothing else", async (t) => {
   assert.equal(response.status, 200);
   // The viewer lets itself be shown in a panel of the editor, and in no page.
   assert.equal(response.headers.get("x-frame-options"), null);
-  assert.match(response.headers.get("content-security-policy"), /frame-ancestors vscode-webview: vscode-file:;/);
+  assert.match(response.headers.get("content-security-policy"), /frame-ancestors 'self' vscode-webview: vscode-file:;/);
   remove();
   await assert.rejects(serve(join(tmpdir(), "no-such-command"), file).address);
 });

@@ -19,7 +19,7 @@ const AFTERWARDS: Duration = Duration::from_secs(1);
 
 /// What the page may load, and from where.
 const POLICY: &str = "default-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; \
-     worker-src 'self' blob:; connect-src 'self'; frame-ancestors vscode-webview: vscode-file:; base-uri 'none'; form-action 'none'";
+     worker-src 'self' blob:; connect-src 'self'; frame-ancestors 'self' vscode-webview: vscode-file:; base-uri 'none'; form-action 'none'";
 
 /// The body of an answer.
 #[derive(Debug)]

@@ -1,10 +1,11 @@
 //! Requests that are not the page's: refused, and without harm to it.
 
-use std::{io::Write, time::Duration};
+use std::{io::Write, net::TcpListener, time::Duration};
 
 use serde_json::json;
 
 use super::client::View;
+use crate::support::{Scratch, said, virote};
 
 const SCRIPT: &str = "param r = 1\ncurve c = circle((0, 0), r)\n";
 
@@ -35,6 +36,37 @@ fn other_pages_and_other_names_are_refused() {
     let in_address = format!("/api/state?token={}", view.token);
     assert_eq!(status(&in_address, &[("X-Virote-Token", "-")]), 403);
     assert_eq!(status("/api/events", &[("X-Virote-Token", "-")]), 403);
+}
+
+#[test]
+fn an_address_outside_is_one_more_that_the_page_has() {
+    let scratch = Scratch::new("view-outside");
+    scratch.file("model.geo", SCRIPT);
+    let listener = TcpListener::bind(("127.0.0.1", 0)).expect("a port");
+    let port = listener.local_addr().expect("an address").port().to_string();
+    drop(listener);
+    let outside = ["--port", &port, "--origin", "https://hub.example/me/proxy/81/"];
+    let view = View::start(scratch, &outside);
+    assert_eq!(view.host, "hub.example");
+    view.current();
+    let status = |headers: &[(&str, &str)]| view.ask("GET", "/api/state", headers, b"").status;
+    for (host, origin, expected) in [
+        ("hub.example", "https://hub.example", 200),
+        ("hub.example", "http://hub.example", 403),
+        ("hub.example.net", "https://hub.example", 403),
+        ("example", "https://hub.example", 403),
+        (&view.local, &format!("http://{}", view.local), 200),
+    ] {
+        assert_eq!(status(&[("Host", host), ("Origin", origin)]), expected, "{host} {origin}");
+    }
+    for text in ["hub.example", "ftp://hub.example", "https://"] {
+        let output = virote(&view.scratch.0)
+            .args(["view", "model.geo", "--no-open", "--origin", text])
+            .output()
+            .expect("it runs");
+        let (_, err, code) = said(&output);
+        assert!(code == 3 && err.contains("is no address of a page"), "{text}: {code} {err}");
+    }
 }
 
 #[test]

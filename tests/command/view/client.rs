@@ -19,7 +19,10 @@ const PATIENCE: Duration = Duration::from_secs(100);
 pub(super) struct View {
     pub(super) scratch: Scratch,
     pub(super) child: Child,
+    /// The host that the page has, as the address says.
     pub(super) host: String,
+    /// Where it is served.
+    pub(super) local: String,
     pub(super) token: String,
 }
 
@@ -55,10 +58,14 @@ impl View {
         let mut line = String::new();
         let out = child.stdout.take().expect("a pipe");
         BufReader::new(out).read_line(&mut line).expect("the address");
-        let address = line.trim().strip_prefix("http://").expect("an address");
+        let (_, address) = line.trim().split_once("://").expect("an address");
         let (host, token) = address.split_once("/?token=").expect("a token");
+        let host = host.split('/').next().unwrap_or_default();
         let (host, token) = (host.to_owned(), token.to_owned());
-        Self { scratch, child, host, token }
+        // Whoever names another address chooses the port.
+        let port = args.windows(2).find(|two| two[0] == "--port").map(|two| two[1]);
+        let local = port.map_or_else(|| host.clone(), |port| format!("127.0.0.1:{port}"));
+        Self { scratch, child, host, local, token }
     }
 
     pub(super) fn save(&self, script: &str) {
@@ -70,7 +77,7 @@ impl View {
     }
 
     pub(super) fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(&self.host).expect("a connection");
+        let stream = TcpStream::connect(&self.local).expect("a connection");
         stream.set_read_timeout(Some(PATIENCE)).expect("a time");
         stream
     }

@@ -189,7 +189,7 @@ fn side_by_side(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
         Token::Name | Token::Number | Token::OpenBrace if before.ends_expression() => {
             diagnostic
                 .hint("a product is written `a * b`, a call `f(x)`, a list `[a, b]`")
-                .fix(Fix::insert(place.script.gap(place.at), " *"))
+                .fix(Fix::insert(place.script.gap(place.at), " * "))
         }
         _ => diagnostic,
     }
