@@ -60,17 +60,22 @@ impl BoxTree {
 
     /// The numbers of the boxes no further than a distance from a point, along the axes; in their order.
     pub(crate) fn beside(&self, point: DVec3, distance: f64) -> Vec<usize> {
+        self.near(Bounds { min: point, max: point }, distance)
+    }
+
+    /// The numbers of the boxes no further than a distance from another one, along the axes; in their order.
+    pub(crate) fn near(&self, other: Bounds, distance: f64) -> Vec<usize> {
         let mut found = Vec::new();
         let mut todo = vec![0];
         while let Some(node) = todo.pop().and_then(|node: usize| self.nodes.get(node)) {
-            if !node.around.contains(point, distance) {
+            if !node.around.is_near(other, distance) {
                 continue;
             }
             match node.below {
                 Some(below) => todo.extend(below),
                 None => {
                     let own = self.numbers[node.range[0]..node.range[1]].iter().copied();
-                    found.extend(own.filter(|&i| self.boxes[i].contains(point, distance)));
+                    found.extend(own.filter(|&i| self.boxes[i].is_near(other, distance)));
                 }
             }
         }

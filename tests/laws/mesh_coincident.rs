@@ -64,22 +64,29 @@ fn earth(n: usize, heights: &[f64]) -> Mesh {
     polygon_mesh(vertices.collect(), &faces, 100_000).unwrap()
 }
 
-/// Checks what two meshes make together, in place and moved: closed, and of the volume that it should have, or
-/// refused because it would touch itself. Where faces are where they were put, only unions may be; moved, their
-/// planes are rounded, and of differences sheets of rounding may be left.
+/// Checks what two meshes make together, in place and moved: closed, of the volume that it should have and nothing where
+/// that is none, and of the area that is left of both, or refused because it would touch itself. Where faces are where
+/// they were put, only unions may be; moved, their planes are rounded, and of differences sheets of rounding may be left.
 fn check_pair(a: &Mesh, b: &Mesh, common: Option<f64>, motion: &DAffine3) {
+    let mut areas = [Vec::new(), Vec::new()];
     for is_moved in [false, true] {
         let [a, b] =
             [a, b].map(|mesh| if is_moved { mesh.transformed(motion) } else { mesh.clone() });
-        let done = |operation: Operation, may_touch: bool| match operation(&[&a, &b], TOLERANCE) {
+        let mut done = |operation: Operation, may_touch: bool| match operation(&[&a, &b], TOLERANCE)
+        {
             Ok(found) => {
+                let area = found.as_ref().map_or(0.0, Mesh::area);
+                areas[usize::from(is_moved)].push(Some(area));
                 if let Some(mesh) = &found {
                     let check = mesh.check(TOLERANCE);
                     assert!(check.is_closed && check.is_manifold && check.is_oriented, "{check:?}");
                 }
                 Some(volume(&found))
             }
-            Err(GeomError::Mesh(MeshError::TouchesItself { .. })) if may_touch => None,
+            Err(GeomError::Mesh(MeshError::TouchesItself { .. })) if may_touch => {
+                areas[usize::from(is_moved)].push(None);
+                None
+            }
             Err(error) => unreachable!("{error}"),
         };
         let shared = done(Mesh::intersection, false).unwrap();
@@ -93,6 +100,12 @@ fn check_pair(a: &Mesh, b: &Mesh, common: Option<f64>, motion: &DAffine3) {
         near(Some(shared), common);
         near(done(Mesh::union, true), a.volume() + b.volume() - common);
         near(done(Mesh::difference, is_moved), a.volume() - common);
+    }
+    let [placed, moved] = &areas;
+    for (placed, moved) in placed.iter().zip(moved) {
+        if let (Some(placed), Some(moved)) = (placed, moved) {
+            assert!((placed - moved).abs() < 1e-6, "area {moved}, in place {placed}");
+        }
     }
 }
 
@@ -139,6 +152,30 @@ proptest! {
         let fill = Mesh::difference(&[&after, &before], TOLERANCE).unwrap();
         let balance = volume(&cut) - volume(&fill);
         prop_assert!((balance - (before.volume() - after.volume())).abs() < 1e-8);
+    }
+}
+
+/// A box against a wall of another, and one whose wall it shares in part, turned and far away.
+#[test]
+fn walls_that_coincide_but_for_rounding_are_none() {
+    let large = cuboid([0.0; 3], [2.0; 3]);
+    let against = cuboid([2.0, 0.5, 0.5], [1.0; 3]);
+    let beside = cuboid([2.0, 1.5, 1.0], [2.0, 1.0, 3.0]);
+    for turn in 0..40 {
+        let axis = DVec3::new(1.0, 2.0, 0.1 * f64::from(turn)).normalize();
+        let turned = DAffine3::from_axis_angle(axis, 0.3 + f64::from(turn));
+        let far = DAffine3::from_translation(DVec3::new(100.0, -20.0, 7.0) * f64::from(turn % 3));
+        let placed = |mesh: &Mesh| mesh.transformed(&(far * turned));
+        for (other, area) in [(&against, 28.0), (&beside, 24.0 + 22.0 - 2.0 * 0.5)] {
+            let [a, b] = [&large, other].map(placed);
+            let whole = Mesh::union(&[&a, &b], TOLERANCE).unwrap().unwrap();
+            let check = whole.check(TOLERANCE);
+            assert!(check.is_closed && check.components == 1, "{turn}: {check:?}");
+            assert!((whole.area() - area).abs() < 1e-9, "{turn}: {}", whole.area());
+            assert_eq!(Mesh::intersection(&[&a, &b], TOLERANCE).unwrap(), None, "{turn}");
+            let again = Mesh::difference(&[&whole, &b], TOLERANCE).unwrap().unwrap();
+            assert!((again.area() - 24.0).abs() < 1e-9, "{turn}: {}", again.area());
+        }
     }
 }
 

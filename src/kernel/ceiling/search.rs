@@ -131,3 +131,6 @@ pub(crate) const EDGE_PIECES: usize = 100_000;
 
 /// Vertices of the mesh that tells whether a solid crosses itself: below a second's work.
 pub(crate) const CROSSING_VERTICES: usize = 200_000;
+
+/// Directions of planes in which faces of two meshes coincide, that are told apart: three are served, and those of one prism.
+pub(crate) const COINCIDENT_DIRECTIONS: usize = 64;

@@ -19,7 +19,12 @@ use manifold_rust::{
 };
 
 use super::{
-    Mesh, fault::MeshError, flattened::flattened, nesting::check_nesting, topology::weld_distance,
+    Mesh,
+    coincident::{CoincidentFrame, coincident_triangles},
+    fault::MeshError,
+    flattened::flattened,
+    nesting::check_nesting,
+    topology::weld_distance,
     weld::welded,
 };
 use crate::{
@@ -41,6 +46,8 @@ struct ManifoldBody {
     manifold: Manifold,
     volume: f64,
     area: f64,
+    /// Whether it was made of bodies whose faces coincide, but for rounding.
+    is_of_coincident: bool,
 }
 
 /// How far vertices may move beyond rounding, and what a volume may differ by for each unit of area.
@@ -201,7 +208,7 @@ impl ManifoldBody {
         match manifold.status() {
             Error::NoError => {
                 let (volume, area) = (manifold.volume(), manifold.surface_area());
-                Ok(Self { manifold, volume, area })
+                Ok(Self { manifold, volume, area, is_of_coincident: false })
             }
             Error::Cancelled => Err(GeomError::Ended),
             Error::ResultTooLarge => {
@@ -211,6 +218,18 @@ impl ManifoldBody {
             // What hangs together as it should is taken in.
             _ => Err(MeshError::Unproven { excess: f64::INFINITY, allowed: 0.0 }.into()),
         }
+    }
+
+    fn of(
+        vertices: &[DVec3],
+        triangles: impl Iterator<Item = [u32; 3]>,
+    ) -> Result<Self, GeomError> {
+        Self::new(Manifold::from_mesh_glp(&MeshGLP::<f64, u32> {
+            num_prop: 3,
+            vert_properties: vertices.iter().flat_map(DVec3::to_array).collect(),
+            tri_verts: triangles.flatten().collect(),
+            ..MeshGLP::default()
+        }))
     }
 
     /// The body of a mesh that encloses each place once or not at all.
@@ -230,12 +249,7 @@ impl ManifoldBody {
         });
         let triangles = topology.triangles().iter().map(|corners| corners.map(|i| names[&i]));
         GeomError::go_on(topology.triangles().len())?;
-        let body = Self::new(Manifold::from_mesh_glp(&MeshGLP::<f64, u32> {
-            num_prop: 3,
-            vert_properties: vertices.iter().flat_map(DVec3::to_array).collect(),
-            tri_verts: triangles.flatten().collect(),
-            ..MeshGLP::default()
-        }))?;
+        let body = Self::of(&vertices, triangles)?;
         body.check_crossings(&vertices, distance)?;
 
         let parts = topology.parts();
@@ -284,10 +298,33 @@ impl ManifoldBody {
         combination: Combination,
         slack: Slack,
     ) -> Result<Self, GeomError> {
-        let common = self.by_guest(other, OpType::Intersect)?;
+        // Where faces coincide, in coordinates in which they do so to the last bit.
+        let meshes = [self, other].map(Self::raw_mesh);
+        let bounds = meshes.iter().filter_map(Mesh::bounds).reduce(Bounds::union);
+        let rounding = BOOLEAN_RELATIVE * bounds.map_or(0.0, Bounds::magnitude);
+        let coincident = coincident_triangles(&meshes[0], &meshes[1], rounding)?;
+        let frame = CoincidentFrame::of(&coincident, meshes.each_ref(), rounding);
+        let is_of_coincident =
+            !coincident.is_empty() || self.is_of_coincident || other.is_of_coincident;
+        let done = |operation| {
+            let body = match &frame {
+                None => self.by_guest(other, operation)?,
+                Some((frame, [one, other])) => {
+                    let [one, other] = [one, other].map(|mesh| {
+                        let body = Self::of(&mesh.vertices, mesh.triangles.iter().copied());
+                        body.map(|body| body.merging(slack.merged))
+                    });
+                    let made = frame.without(one?.by_guest(&other?, operation)?.raw_mesh());
+                    let body = Self::of(&made.vertices, made.triangles.iter().copied())?;
+                    body.merging(slack.merged)
+                }
+            };
+            Ok::<_, GeomError>(Self { is_of_coincident, ..body })
+        };
+        let common = done(OpType::Intersect)?;
         let (rest, whole) = match combination {
-            Combination::Difference => (self.by_guest(other, OpType::Subtract)?, self.volume),
-            _ => (self.by_guest(other, OpType::Add)?, self.volume + other.volume),
+            Combination::Difference => (done(OpType::Subtract)?, self.volume),
+            _ => (done(OpType::Add)?, self.volume + other.volume),
         };
         let excess = (rest.volume + common.volume - whole).abs();
         let allowed = (self.area + other.area) * slack.allowed;
@@ -320,31 +357,45 @@ impl ManifoldBody {
         places.iter().map(|&Vec3 { x, y, z }| DVec3::new(x, y, z))
     }
 
-    /// Its mesh; none where it holds nothing.
-    ///
-    /// Where it does not hang together as a body does, what has no thickness is taken away: that must leave the
-    /// volume as it was.
-    fn mesh(&self, tolerance: Tolerance) -> Result<Option<Mesh>, GeomError> {
+    fn raw_mesh(&self) -> Mesh {
         let out: MeshGLP<f64, u32> = self.manifold.get_mesh_glp(-1);
         let width = out.num_prop as usize;
         let vertices = out.vert_properties.chunks_exact(width.max(3));
-        let mesh = Mesh {
+        Mesh {
             vertices: vertices.map(|place| DVec3::new(place[0], place[1], place[2])).collect(),
             triangles: out.tri_verts.as_chunks().0.to_vec(),
             ..Mesh::default()
-        };
-        let touches = match body(mesh.clone(), tolerance) {
-            Err(touches) => touches,
-            found => return Ok(found?),
-        };
+        }
+    }
+
+    /// Its mesh; none where it holds nothing.
+    ///
+    /// Where it does not hang together as a body does, or faces coincided and lie on one another still, what has no thickness
+    /// is taken away: that must leave the volume as it was.
+    fn mesh(&self, tolerance: Tolerance) -> Result<Option<Mesh>, GeomError> {
+        let mesh = self.raw_mesh();
         let bounds = mesh.bounds();
         let rounding = BOOLEAN_RELATIVE * bounds.map_or(0.0, Bounds::magnitude);
+        let checked = |mesh: Mesh| {
+            if !self.is_of_coincident {
+                return Ok(body(mesh, tolerance)?);
+            }
+            let mesh = mesh.without_crumbs(tolerance, rounding);
+            match mesh.sheet(rounding)? {
+                Some(at) => Err(MeshError::TouchesItself { at }.into()),
+                None => Ok(body(mesh, tolerance)?),
+            }
+        };
+        let touches = match checked(mesh.clone()) {
+            Err(GeomError::Mesh(touches)) => touches,
+            found => return found,
+        };
         let distance = weld_distance(bounds, tolerance).max(rounding);
         for thickness in [rounding, distance] {
             GeomError::go_on(mesh.n_triangles())?;
             let Some(flat) = mesh.flattened(thickness) else { continue };
             let is_whole = (flat.volume() - self.volume).abs() <= self.area * thickness;
-            if is_whole && let Ok(found) = body(flat, tolerance) {
+            if is_whole && let Ok(found) = checked(flat) {
                 return Ok(found);
             }
         }
@@ -353,6 +404,38 @@ impl ManifoldBody {
 }
 
 impl Mesh {
+    /// A place where two triangles lie on one another and face opposite ways, with nothing between.
+    fn sheet(&self, rounding: f64) -> Result<Option<DVec3>, GeomError> {
+        let pairs = coincident_triangles(self, self, rounding)?;
+        Ok(pairs.iter().find(|pair| !pair.faces_alike).map(|pair| pair.at))
+    }
+
+    /// A closed mesh without parts that hold nothing.
+    fn without_crumbs(&self, tolerance: Tolerance, rounding: f64) -> Self {
+        let topology = self.topology(tolerance);
+        let parts = topology.parts();
+        let mut by_part: BTreeMap<u32, Vec<[u32; 3]>> = BTreeMap::new();
+        for &corners in topology.triangles() {
+            by_part.entry(parts[corners[0] as usize]).or_default().push(corners);
+        }
+        let is_body = |triangles: &[[u32; 3]]| {
+            let corner = |corner: u32| self.vertices[corner as usize];
+            let origin = corner(triangles[0][0]);
+            let sides = triangles.iter().map(|corners| corners.map(|of| corner(of) - origin));
+            let sums = sides.map(|[a, b, c]| (a.dot(b.cross(c)), (b - a).cross(c - a).length()));
+            let (volume, area) = sums.fold((0.0, 0.0), |sum, own| (sum.0 + own.0, sum.1 + own.1));
+            rounding * area / 2.0 < f64::abs(volume) / 6.0
+        };
+        let n_parts = by_part.len();
+        let kept: Vec<Vec<[u32; 3]>> =
+            by_part.into_values().filter(|triangles| is_body(triangles)).collect();
+        if kept.len() == n_parts {
+            return self.clone();
+        }
+        let triangles = kept.into_iter().flatten().collect();
+        Self { vertices: self.vertices.clone(), triangles, ..Self::default() }.without_strays()
+    }
+
     /// A closed mesh without what is thinner; none where that cannot be told.
     fn flattened(&self, thickness: f64) -> Option<Self> {
         let first = welded(&self.vertices, thickness);

@@ -16,6 +16,7 @@ mod bend;
 mod boolean;
 mod cell_bounds;
 mod chord;
+mod coincident;
 mod crossing;
 mod deviation;
 mod distance;

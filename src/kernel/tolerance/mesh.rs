@@ -62,3 +62,14 @@ pub const BOOLEAN_RELATIVE: f64 = 1e-11;
 ///
 /// Larger flattens wedges that are meant; smaller leaves sheets without thickness where rounding has bent them.
 pub(crate) const FOLD_SINE: f64 = 1e-3;
+
+/// Planes in which triangles coincide are parallel where the sine of the angle between them is at most this.
+///
+/// Larger takes facets of fine meshes for one plane, which then are not equal to the last bit; smaller takes what
+/// rounding turns for many.
+pub(crate) const PARALLEL_SINE: f64 = 1e-6;
+
+/// Directions whose angle has a sine above this serve as coordinates.
+///
+/// Larger leaves planes out that meet at an acute angle; smaller makes coordinates that lose digits.
+pub(crate) const CLEAR_SINE: f64 = 0.1;
