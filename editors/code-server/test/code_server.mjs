@@ -13,7 +13,7 @@ const entry = join(here, "node_modules/code-server/out/node/entry.js");
 const chromium = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"]
   .filter(Boolean)
   .find(existsSync);
-export const WAIT = { timeout: 90_000 };
+export const WAIT = { timeout: 60_000 };
 
 /** Why the tests cannot run here, or false. */
 export const skip = chromium ? false : "there is no Chromium: set CHROMIUM";

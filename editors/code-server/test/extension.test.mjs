@@ -48,6 +48,18 @@ const command = async (page, name) => {
   await page.keyboard.press("Enter");
 };
 
+/** Presses keys until a list offers such a line: VS Code asks for one only where it thinks that somebody waits for it. */
+const offered = async (page, selector, wanted, ...keys) => {
+  for (let turn = 0; turn < 20; turn += 1) {
+    const holds = (selector, wanted) => [...document.querySelectorAll(selector)].some((one) => one.textContent.includes(wanted));
+    const found = await page.waitForFunction(holds, { timeout: 3000 }, selector, wanted).catch(() => null);
+    if (found) return;
+    await page.keyboard.press("Escape");
+    await press(page, ...keys);
+  }
+  assert.fail(`${wanted} is not offered`);
+};
+
 const press = async (page, ...keys) => {
   for (const key of keys) await page.keyboard.down(key);
   for (const key of keys.reverse()) await page.keyboard.up(key);
@@ -81,8 +93,7 @@ test("a hover tells what a name is", { skip }, async () => {
 test("a quick fix mends the slip, and its message goes", { skip }, async () => {
   const { x, y } = await place(page, "totl");
   await page.mouse.click(x, y);
-  await press(page, "Control", ".");
-  await text(page, ".action-widget", "total");
+  await offered(page, ".action-widget", "total", "Control", ".");
   await page.keyboard.press("Enter");
   await text(page, ".view-line", "print total");
   await page.waitForFunction(() => !document.querySelector(".squiggly-error"), WAIT);
@@ -91,7 +102,7 @@ test("a quick fix mends the slip, and its message goes", { skip }, async () => {
 test("completion offers names with what they are", { skip }, async () => {
   await press(page, "Control", "End");
   await page.keyboard.type("print tot", { delay: 30 });
-  await text(page, ".suggest-widget .monaco-list-row", "total");
+  await offered(page, ".suggest-widget .monaco-list-row", "total", "Control", "Space");
   await page.keyboard.press("Tab");
   await text(page, ".view-line", "print total");
   await page.keyboard.type(" *   2");
@@ -111,6 +122,5 @@ test("the model stands beside the text", { skip }, async () => {
     }
     await pause(200);
   }
-  await page.screenshot({ path: "/tmp/code-server.png" });
   assert.fail("no frame shows the model");
 });

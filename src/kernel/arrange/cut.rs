@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Tolerances within which what comes back to a vertex has not left it.
-const ONE_PLACE: f64 = 4.0;
+pub(super) const ONE_PLACE: f64 = 4.0;
 
 /// Tolerances within which edges with the same ends are one: each may be one away from the middle.
 const ALONG: f64 = 2.0;

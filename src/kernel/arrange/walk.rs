@@ -11,7 +11,7 @@ use super::{
 use crate::{
     GeomError, Interval, NurbsCurve, RegionError,
     ceiling::BISECTIONS,
-    curve::join,
+    curve::join_chain,
     frame::norm,
     numeric::bisection::bisected,
     side_by_side,
@@ -222,10 +222,7 @@ fn leaving(edge: &PlaneEdge, center: DVec3, radius: f64, is_along: bool) -> DVec
 /// One curve along arcs that follow one another.
 ///
 /// # Errors
-/// Those of [`join`].
+/// Those of [`crate::join`].
 pub(crate) fn joined(arcs: &[NurbsCurve]) -> Result<NurbsCurve, GeomError> {
-    match arcs {
-        [arc] => Ok(arc.clone()),
-        _ => join(arcs, f64::INFINITY),
-    }
+    join_chain(arcs, f64::INFINITY)
 }

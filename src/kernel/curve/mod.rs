@@ -28,7 +28,7 @@ pub use construction::offset::Offset;
 pub use editing::compatible::make_compatible;
 pub(crate) use editing::denominator::on_one_denominator;
 pub use editing::join::join;
-pub(crate) use editing::join::{join_pieces, without_vanishing_spans};
+pub(crate) use editing::join::{join_chain, join_pieces};
 pub use evaluation::evaluator::CurveEvaluator;
 pub use intersection::intersect::CurveIntersection;
 pub use measurement::analytic::AnalyticCurve;

@@ -4,7 +4,8 @@ use glam::DVec3;
 
 use super::{Solid, SolidError};
 use crate::{
-    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance, join,
+    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance,
+    curve::join_chain,
     mesh::welded,
     trim::{FaceBorderEdge, rims},
 };
@@ -135,7 +136,7 @@ fn plane_of(rim: &NurbsCurve, distance: f64) -> Result<Frame, GeomError> {
 /// Edges as closed curves, one after another in whatever sense each runs.
 ///
 /// # Errors
-/// [`SolidError::OpenRim`]; those of [`join`].
+/// [`SolidError::OpenRim`]; those of [`crate::join`].
 fn closed_rims(mut edges: Vec<NurbsCurve>, distance: f64) -> Result<Vec<NurbsCurve>, GeomError> {
     let mut rims = Vec::new();
     while let Some(first) = edges.pop() {
@@ -155,10 +156,7 @@ fn closed_rims(mut edges: Vec<NurbsCurve>, distance: f64) -> Result<Vec<NurbsCur
             end = edge.end();
             chain.push(edge);
         }
-        rims.push(with_one_end(&match &chain[..] {
-            [single] => single.clone(),
-            _ => join(&chain, distance)?,
-        })?);
+        rims.push(with_one_end(&join_chain(&chain, distance)?)?);
     }
     Ok(rims)
 }

@@ -170,3 +170,17 @@ pub(crate) const CONIC_PART: f64 = 0.015625;
 ///
 /// Larger makes pieces between tangents of what is round; smaller computes with a centre that is far away.
 pub(crate) const ROUNDNESS_RELATIVE: f64 = 1e-3;
+
+/// Curves that run together part where they are apart by this fraction of the tolerance, if they are nearer before.
+///
+/// Larger lets borders change over a long way behind the place where they part; smaller takes rounding for parting.
+pub(crate) const PARTING_SHARE: f64 = 1e-7;
+
+/// The same in last bits of a coordinate, where that is more.
+pub(crate) const PARTING_ROUNDINGS: f64 = 16.0;
+
+/// What curves that part in one direction are apart falls below this fraction at half of the way: a quarter, and less
+/// where they bend alike.
+///
+/// Larger takes curves for one that are near one another by chance; smaller misses those that rounding bends.
+pub(crate) const QUARTER_SLACK: f64 = 0.35;

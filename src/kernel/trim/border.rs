@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance, bezier,
-    curve::{join, without_vanishing_spans},
+    curve::join_chain,
     find_integral,
     frame::{angle_between, norm},
     homogeneous::place,
@@ -371,8 +371,5 @@ fn between_corners(
 fn joined(chain: &[Curve], distance: f64) -> Result<NurbsCurve, GeomError> {
     let splines = chain.iter().map(|curve| spline(curve, distance));
     let splines: Vec<NurbsCurve> = splines.collect::<Result<_, _>>()?;
-    match &splines[..] {
-        [single] => Ok(single.clone()),
-        _ => join(&without_vanishing_spans(&splines)?, 4.0 * distance),
-    }
+    join_chain(&splines, 4.0 * distance)
 }

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     GeomError, Interval, NurbsCurve, Region, RegionSide, Tolerance,
     arrange::{Apart, Arrangement, RaySearch, Ring},
-    curve::join,
+    curve::join_chain,
     sorting::sort_by,
     tolerance::PARAMETER_RELATIVE,
 };
@@ -145,7 +145,7 @@ fn pieces(
         && curve.is_closed(distance)
         && let (Some(last), false) = (parts.pop(), parts.is_empty())
     {
-        parts[0] = join(&[last, parts[0].clone()], 2.0 * distance)?;
+        parts[0] = join_chain(&[last, parts[0].clone()], 2.0 * distance)?;
     }
     Ok(parts)
 }

@@ -2,7 +2,7 @@
 
 use super::Regions;
 use crate::{
-    diag::{Result, Spanned},
+    diag::{Code, Diagnostic, Result, Spanned},
     kernel::Region,
     value::{At, Ctx, op},
 };
@@ -13,7 +13,8 @@ op! {
     ///
     /// The borders of the result are parts of the given ones, exactly. Borders that run within the
     /// document's tolerance of one another are one; those that come as near without being one are
-    /// refused with the place.
+    /// refused with the place. Where a list of several comes first and others follow, a warning tells that only its first
+    /// region is kept (W0013).
     difference in Region -> Vec<Region> {
         /// The regions, in one plane; lists count as their members.
         regions: Spanned<Regions>,
@@ -25,5 +26,12 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
     let regions = &args.regions;
-    Region::difference(&regions.value.0, ctx.tolerance, ctx.n_threads).at(regions.span)
+    if 1 < regions.value.n_first {
+        let message = "of the first list only its first region is kept: the others are taken away with the rest";
+        ctx.warn(
+            Diagnostic::warning(Code::FirstOfSeveral, regions.span, message)
+                .hint("`[for r in a: difference(r, b)]` takes them from each, `difference([...a, b])` says that this is meant"),
+        );
+    }
+    Region::difference(&regions.value.all, ctx.tolerance, ctx.n_threads).at(regions.span)
 }

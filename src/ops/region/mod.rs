@@ -41,7 +41,11 @@ pub(super) static OPS: &[&Op] = &[
 ];
 
 /// Regions, given as a list or as the arguments themselves; lists among them count as their members.
-struct Regions(Vec<Region>);
+struct Regions {
+    all: Vec<Region>,
+    /// How many of them are those of the first argument, if that is a list and others follow; else one.
+    n_first: usize,
+}
 
 impl FromValue for Regions {
     const TYPE: Type = Type::List(&Type::OneOf(&[Type::Region, Type::List(&Type::Region, 0)]), 1);
@@ -50,7 +54,13 @@ impl FromValue for Regions {
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         let mut found = Vec::new();
         match value {
-            Value::List(items) if !items.is_empty() && gather(items, &mut found) => Ok(Self(found)),
+            Value::List(items) if !items.is_empty() && gather(items, &mut found) => {
+                let n_first = match items.get(0) {
+                    Some(Value::List(first)) if 1 < items.len() => first.len(),
+                    _ => 1,
+                };
+                Ok(Self { all: found, n_first })
+            }
             _ => {
                 let mismatch = Mismatch::kind(Self::TYPE, value);
                 let has = |kind: &str| match value {

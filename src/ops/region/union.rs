@@ -25,5 +25,5 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
     let regions = &args.regions;
-    Region::union(&regions.value.0, ctx.tolerance, ctx.n_threads).at(regions.span)
+    Region::union(&regions.value.all, ctx.tolerance, ctx.n_threads).at(regions.span)
 }

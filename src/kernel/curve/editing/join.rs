@@ -74,12 +74,23 @@ pub(crate) fn join_pieces(pieces: &[NurbsCurve], distance: f64) -> Result<NurbsC
     NurbsCurve::new(knots, lines.concat())
 }
 
-/// The curves without spans that [`join`] would refuse, as rounding leaves them: what is before and behind of each is a
-/// curve of its own.
+/// Curves that were found to follow one another as one, as [`join`], but for spans of parameters that rounding has
+/// left.
+///
+/// # Errors
+/// Those of [`join`].
+pub(crate) fn join_chain(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomError> {
+    match curves {
+        [single] => Ok(single.clone()),
+        _ => join(&without_vanishing_spans(curves)?, tolerance),
+    }
+}
+
+/// The curves without spans that [`join`] would refuse: what is before and behind of each is a curve of its own.
 ///
 /// # Errors
 /// Those of [`NurbsCurve::trimmed`].
-pub(crate) fn without_vanishing_spans(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
+fn without_vanishing_spans(curves: &[NurbsCurve]) -> Result<Vec<NurbsCurve>, GeomError> {
     let total: f64 = curves.iter().map(|curve| curve.domain().length()).sum();
     let mut parts = Vec::with_capacity(curves.len());
     for curve in curves {
