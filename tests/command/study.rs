@@ -172,6 +172,8 @@ fn bad_plans_are_told_before_anything_is_evaluated() {
         ),
         ("n [mm]\n30\n", "in mm, but the parameter is of the kind integer"),
         ("PAR1", "cannot read `p.csv`"),
+        ("n\n1\n\"2\n3\n", "cannot read `p.csv`: the quote that line 3 opens is not closed"),
+        ("\"n\n1\n", "cannot read `p.csv`: the quote that line 1 opens is not closed"),
     ] {
         scratch.file("p.csv", plan);
         let (out, err, code) = study(&scratch, &["p.csv", "-o", "r.csv"]);
@@ -193,6 +195,7 @@ fn bad_plans_are_told_before_anything_is_evaluated() {
         (&["--vary", "n=1,2", "-o", "r.xlsx"], "results end in `.csv`, `.jsonl` or `.parquet`"),
         (&["--vary", "n=1,2", "-o", "r"], "in none of them"),
         (&["--vary", "n=1,2", "-o", "a.geo/r.csv"], "`a.geo` is a file, not a folder"),
+        (&["--vary", "n=1,2", "-o", "/dev/null/r.csv"], "`/dev/null` is a file, not a folder"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--want", "aera"], "did you mean `area`?"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--want", "many"], "`many` is a list of 2 numbers"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--set", "m=1"], "the script has no parameter `m`"),
