@@ -17,6 +17,7 @@ use pyo3::{
 };
 use virote::{
     kernel::glam::DVec3,
+    limits::Limits,
     session::HeldValue,
     value::{Dimension, List, Number, Range, Record, Type, Value, radians_of},
 };
@@ -101,16 +102,51 @@ fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<
     Ok(all.into_any())
 }
 
-/// A value of Python for a parameter of a type. What it needs to answer is kept in `kept`.
+/// Values on their way in.
+pub(crate) struct Intake {
+    /// What they need to answer.
+    pub(crate) kept: HeldValue,
+    /// Lists and records around the one that is read.
+    depth: u32,
+}
+
+impl Default for Intake {
+    fn default() -> Self {
+        Self { kept: HeldValue::from(Value::None), depth: 0 }
+    }
+}
+
+impl Intake {
+    /// Goes into a list or a record, which may hold itself in Python; whoever does comes out again by `leave`.
+    fn enter(&mut self) -> PyResult<()> {
+        let most = Limits::DEFAULT.value_depth;
+        if most <= self.depth {
+            let told = format!("a value is nested in itself, or more than {most} lists deep");
+            return Err(PyValueError::new_err(told));
+        }
+        self.depth += 1;
+        Ok(())
+    }
+
+    fn leave(&mut self) {
+        self.depth -= 1;
+    }
+}
+
+/// A value of Python for a parameter of a type.
+///
+/// # Errors
+/// `TypeError` of what has no meaning in the language, `ValueError` of numbers that are not finite, of masked
+/// elements, and of what is nested too deep.
 pub(crate) fn from_python(
     given: &Bound<'_, PyAny>,
     ty: Type,
-    kept: &mut HeldValue,
+    intake: &mut Intake,
 ) -> PyResult<Value> {
     if given.is_none() {
         return Ok(Value::None);
     }
-    if let Some(value) = held(given, kept) {
+    if let Some(value) = held(given, intake) {
         return Ok(value);
     }
     if given.is_instance_of::<PyBool>() || is_numpy_bool(given) {
@@ -120,7 +156,7 @@ pub(crate) fn from_python(
         if ty == Type::Function {
             // The text of a function is one.
             let made = given.py().import("virote._session")?.getattr("function")?.call1((text,))?;
-            return from_python(&made, Type::Any, kept);
+            return from_python(&made, Type::Any, intake);
         }
         return Ok(text_value(text.to_str()?, ty));
     }
@@ -128,20 +164,46 @@ pub(crate) fn from_python(
         return Ok(number);
     }
     if let Ok(members) = given.cast::<PyDict>() {
-        let fields = members.iter().map(|(name, member)| {
-            let name: String = name.extract()?;
-            Ok((Arc::from(name.as_str()), from_python(&member, Type::Any, kept)?))
-        });
-        return Ok(Value::Record(Arc::new(Record::new(fields.collect::<PyResult<Vec<_>>>()?))));
+        return record(members, intake);
     }
-    sequence(given, ty, kept)
+    sequence(given, ty, intake)
+}
+
+/// A dictionary, whose keys are the names of fields.
+fn record(members: &Bound<'_, PyDict>, intake: &mut Intake) -> PyResult<Value> {
+    intake.enter()?;
+    let found = fields(members, intake);
+    intake.leave();
+    Ok(Value::Record(Arc::new(Record::new(found?))))
+}
+
+/// By a loop, as the elements of lists: each level of a nested value takes its part of a stack that Python made,
+/// which iterators inside one another would take several times.
+fn fields(members: &Bound<'_, PyDict>, intake: &mut Intake) -> PyResult<Vec<(Arc<str>, Value)>> {
+    let mut found = Vec::with_capacity(members.len());
+    for (name, member) in members {
+        found.push((field_name(&name)?, from_python(&member, Type::Any, intake)?));
+    }
+    Ok(found)
+}
+
+fn field_name(name: &Bound<'_, PyAny>) -> PyResult<Arc<str>> {
+    let text = name.extract::<String>().map_err(|_| {
+        let found = type_name(name);
+        PyTypeError::new_err(format!("the keys of a record are texts, found {found}"))
+    });
+    Ok(Arc::from(text?))
+}
+
+fn type_name(given: &Bound<'_, PyAny>) -> String {
+    given.get_type().name().map(|name| name.to_string()).unwrap_or_default()
 }
 
 /// What the classes of the package hold.
-fn held(given: &Bound<'_, PyAny>, kept: &mut HeldValue) -> Option<Value> {
+fn held(given: &Bound<'_, PyAny>, intake: &mut Intake) -> Option<Value> {
     let inner = given.getattr_opt("_held").ok()??;
     let inner = inner.cast::<Held>().ok()?;
-    kept.keep(&inner.get().value);
+    intake.kept.keep(&inner.get().value);
     Some((*inner.get().value).clone())
 }
 
@@ -199,67 +261,95 @@ fn finite(value: f64) -> PyResult<f64> {
 }
 
 /// Sequences and arrays.
-fn sequence(given: &Bound<'_, PyAny>, ty: Type, kept: &mut HeldValue) -> PyResult<Value> {
+fn sequence(given: &Bound<'_, PyAny>, ty: Type, intake: &mut Intake) -> PyResult<Value> {
     match ty {
-        Type::Point => vector(given).or_else(|_| any_sequence(given, kept)),
-        Type::Range => {
-            let ends: Vec<Bound<'_, PyAny>> = given.extract().unwrap_or_default();
-            match &ends[..] {
-                [start, end] => {
-                    let start = from_python(start, Type::Number, kept)?;
-                    let end = from_python(end, Type::Number, kept)?;
-                    match (start, end) {
-                        (Value::Number(start), Value::Number(end)) => {
-                            Ok(Value::Range(Range { start, end, closed: true }))
-                        }
-                        _ => any_sequence(given, kept),
-                    }
-                }
-                _ => any_sequence(given, kept),
-            }
-        }
-        Type::List(of, _) => items(given, *of, kept),
+        Type::Point => vector(given).or_else(|_| any_sequence(given, intake)),
+        Type::Range => match range(given, intake)? {
+            Some(range) => Ok(range),
+            None => any_sequence(given, intake),
+        },
+        Type::List(of, _) => items(given, *of, intake),
         Type::Grid(of) => {
             let rows = iterate(given)?;
-            let rows = rows.into_iter().map(|row| items(&row, *of, kept));
+            let rows = rows.into_iter().map(|row| items(&row, *of, intake));
             Ok(Value::list(rows.collect::<PyResult<_>>()?))
         }
-        Type::Geometry => vector(given).or_else(|_| items(given, Type::Geometry, kept)),
+        Type::Geometry => vector(given).or_else(|_| items(given, Type::Geometry, intake)),
         Type::OneOf(types) => {
             for one in types {
-                if let Ok(value) = from_python(given, *one, kept)
+                if let Ok(value) = from_python(given, *one, intake)
                     && one.accepts(&value)
                 {
                     return Ok(value);
                 }
             }
-            any_sequence(given, kept)
+            any_sequence(given, intake)
         }
-        _ => any_sequence(given, kept),
+        _ => any_sequence(given, intake),
     }
 }
 
+/// Two numbers as a range.
+fn range(given: &Bound<'_, PyAny>, intake: &mut Intake) -> PyResult<Option<Value>> {
+    let ends: Vec<Bound<'_, PyAny>> = given.extract().unwrap_or_default();
+    let [start, end] = &ends[..] else { return Ok(None) };
+    let start = from_python(start, Type::Number, intake)?;
+    let end = from_python(end, Type::Number, intake)?;
+    Ok(match (start, end) {
+        (Value::Number(start), Value::Number(end)) => {
+            Some(Value::Range(Range { start, end, closed: true }))
+        }
+        _ => None,
+    })
+}
+
 /// A list of elements of a type.
-fn items(given: &Bound<'_, PyAny>, of: Type, kept: &mut HeldValue) -> PyResult<Value> {
+fn items(given: &Bound<'_, PyAny>, of: Type, intake: &mut Intake) -> PyResult<Value> {
     let is_number = matches!(of, Type::Number | Type::Ratio | Type::Count | Type::Integer);
     if is_number && given.cast::<PyUntypedArray>().is_ok() {
         return numbers(given);
     }
-    let all = iterate(given)?.into_iter().map(|item| from_python(&item, of, kept));
-    Ok(Value::list(all.collect::<PyResult<_>>()?))
+    intake.enter()?;
+    let found = elements(given, of, intake);
+    intake.leave();
+    found.map(Value::list)
+}
+
+fn elements(given: &Bound<'_, PyAny>, of: Type, intake: &mut Intake) -> PyResult<Vec<Value>> {
+    let all = iterate(given)?;
+    let mut found = Vec::with_capacity(all.len());
+    for item in &all {
+        found.push(from_python(item, of, intake)?);
+    }
+    Ok(found)
 }
 
 fn iterate<'py>(given: &Bound<'py, PyAny>) -> PyResult<Vec<Bound<'py, PyAny>>> {
     let refused = |_| {
-        let name = given.get_type().name().map(|name| name.to_string()).unwrap_or_default();
+        let name = type_name(given);
         PyTypeError::new_err(format!("a value of the type {name} has no meaning in the language"))
     };
+    check_mask(given)?;
     given.try_iter().map_err(refused)?.collect()
+}
+
+/// Refuses arrays that have masked elements, whose numbers mean nothing.
+fn check_mask(given: &Bound<'_, PyAny>) -> PyResult<()> {
+    if given.cast_exact::<PyUntypedArray>().is_ok() || given.cast::<PyUntypedArray>().is_err() {
+        return Ok(());
+    }
+    match given.getattr_opt("mask")? {
+        Some(mask) if mask.call_method0("any")?.is_truthy()? => Err(PyValueError::new_err(
+            "the array has masked elements; `.compressed()` leaves them out, `.filled(x)` puts a number there",
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// All numbers of something like an array, whatever its strides and its type: data of which nobody has said what
 /// they measure, as a column without a unit.
 fn numbers(given: &Bound<'_, PyAny>) -> PyResult<Value> {
+    check_mask(given)?;
     let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = given.extract()?;
     let all: PyResult<Vec<f64>> = array.as_array().iter().map(|&value| finite(value)).collect();
     Ok(Value::List(List::of_numbers(all?, Dimension::OPEN)))
@@ -285,13 +375,13 @@ fn vector(given: &Bound<'_, PyAny>) -> PyResult<Value> {
 
 /// What nobody said anything about: a tuple of numbers is a point, rows of two or three numbers are
 /// points, and all else is a list.
-fn any_sequence(given: &Bound<'_, PyAny>, kept: &mut HeldValue) -> PyResult<Value> {
+fn any_sequence(given: &Bound<'_, PyAny>, intake: &mut Intake) -> PyResult<Value> {
     if let Ok(array) = given.cast::<PyUntypedArray>() {
         let shape = array.shape().to_vec();
         return match shape[..] {
             [_] => numbers(given),
-            [_, 2 | 3] => items(given, Type::Point, kept),
-            _ => items(given, Type::Any, kept),
+            [_, 2 | 3] => items(given, Type::Point, intake),
+            _ => items(given, Type::Any, intake),
         };
     }
     if given.is_instance_of::<PyTuple>()
@@ -299,5 +389,5 @@ fn any_sequence(given: &Bound<'_, PyAny>, kept: &mut HeldValue) -> PyResult<Valu
     {
         return Ok(point);
     }
-    items(given, Type::Any, kept)
+    items(given, Type::Any, intake)
 }

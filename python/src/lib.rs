@@ -46,6 +46,6 @@ mod _virote {
         operations::operations,
         plan::{PlanVariants, study_plan},
         session::{Results, Session},
-        study::{read_rows, study_batch, write_rows},
+        study::{check_wants, read_rows, study_batch, write_rows},
     };
 }

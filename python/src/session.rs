@@ -26,7 +26,7 @@ use virote::{
 };
 
 use crate::{
-    convert::{from_python, to_python},
+    convert::{Intake, from_python, to_python},
     errors::{geo_error, write_error},
     geometry::Held,
     held,
@@ -237,7 +237,7 @@ fn read(
     named: &Bound<'_, PyDict>,
 ) -> PyResult<Arguments> {
     let parameters = op.map_or(&[][..], |op| op.params);
-    let mut kept = HeldValue::from(Value::None);
+    let mut intake = Intake::default();
     let is_named = |name: &str| named.contains(name).unwrap_or(false);
     let open = parameters.iter().filter(|parameter| {
         (!parameter.may_be_left_out() || parameter.by_position) && !is_named(parameter.name)
@@ -252,7 +252,7 @@ fn read(
     let mut positional = Vec::with_capacity(args.len());
     for (i, given) in args.iter().enumerate() {
         let ty = element.or_else(|| open.get(i).copied()).unwrap_or(Type::Any);
-        positional.push(from_python(&given, ty, &mut kept)?);
+        positional.push(from_python(&given, ty, &mut intake)?);
     }
     let mut by_name = Vec::with_capacity(named.len());
     for (name, given) in named.iter() {
@@ -260,8 +260,9 @@ fn read(
         let name: String = name.extract::<String>()?.trim_end_matches('_').to_owned();
         let parameter = parameters.iter().find(|parameter| parameter.name == name);
         let ty = parameter.map_or(Type::Any, |parameter| parameter.ty);
-        by_name.push((name, from_python(&given, ty, &mut kept)?));
+        by_name.push((name, from_python(&given, ty, &mut intake)?));
     }
+    let kept = intake.kept;
     Ok(Arguments {
         positional: positional.into_iter().map(|value| kept.with(value)).collect(),
         named: by_name.into_iter().map(|(name, value)| (name, kept.with(value))).collect(),

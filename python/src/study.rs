@@ -15,6 +15,7 @@ use pyo3::{
 };
 use serde_json::{Value as Json, json};
 use virote::{
+    disk::ScriptFiles,
     eval::Setting,
     limits::work::StopToken,
     session,
@@ -66,6 +67,31 @@ fn settings(given: &[(String, String)]) -> Vec<Setting> {
     given.iter().map(setting).collect()
 }
 
+/// Refuses wanted results that the script in a folder does not define.
+#[pyfunction]
+pub(crate) fn check_wants(
+    py: Python<'_>,
+    name: &str,
+    text: &[u8],
+    folder: PathBuf,
+    want: Vec<String>,
+) -> PyResult<()> {
+    if want.is_empty() {
+        return Ok(());
+    }
+    let files = ScriptFiles::new(&folder);
+    let checked = py.detach(|| {
+        let session = session::Session::default();
+        let graph = session.graph(name, text, &files).map_err(|report| {
+            let first = report.diagnostics.first().map(|found| found.message.clone());
+            format!("{name}: {}", first.unwrap_or_default())
+        })?;
+        let defined: Vec<&str> = graph.nodes.iter().map(|node| node.name.as_str()).collect();
+        virote::study::check_wants(&want, &defined)
+    });
+    checked.map_err(PyValueError::new_err)
+}
+
 /// Evaluates variants one after the other: their rows as JSON, and files that were missing.
 #[pyfunction]
 #[pyo3(signature = (name, text, files, variants, settings, want, time_limit, ceilings))]
@@ -84,6 +110,8 @@ pub(crate) fn study_batch(
     let limits = limits(&ceilings)?;
     let files = files.into_iter().map(|(path, bytes)| (path, bytes.map(|b| b.as_bytes().to_vec())));
     let shipped = ShippedFiles { files: files.collect(), missing: Mutex::default() };
+    let time_limit = time_limit.map(Duration::try_from_secs_f64).transpose();
+    let time_limit = time_limit.map_err(|err| PyValueError::new_err(err.to_string()))?;
     let given = self::settings(&settings);
     let stop = StopToken::default();
     let rows = interruptible(py, &stop, || {
@@ -102,7 +130,7 @@ pub(crate) fn study_batch(
             session: &make,
             maker: &maker,
             n_workers: 1,
-            time_limit: time_limit.map(Duration::from_secs_f64),
+            time_limit,
             pictures: None,
             stop: &stop,
         };

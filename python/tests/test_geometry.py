@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import copy
 import inspect
 import pickle
+import subprocess
+import sys
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
 import virote
 
+MASKED = np.ma.masked_array([[0.0, 0.0], [1.0, 1.0]], mask=[[False, False], [True, False]])
 CORNERS = [[(0, 0), (0, 1)], [(1, 0), (1, 1, 1)]]
 
 
@@ -197,12 +203,75 @@ def test_units_are_texts_and_points_are_what_looks_like_one() -> None:
         (lambda: virote.line((0, 0), (1, 0))([0, 3.0]), ValueError, "at index 1"),
         (lambda: virote.bezier(CORNERS)([0, 1], [0, 0.5, 1]), ValueError, "broadcast"),
         (lambda: pickle.dumps(virote.line((0, 0), (1, 0))), TypeError, "pickled"),
+        (lambda: virote.bezier({0: 1}), TypeError, "keys of a record are texts, found int"),
+        (lambda: virote.bezier(MASKED), ValueError, "masked"),
+        (lambda: virote.mean(MASKED[:, 0]), ValueError, "masked"),
+        (lambda: virote.line((0, 0), (1, 0))(MASKED[:, 0]), ValueError, "masked"),
+        (lambda: virote.line((0, 0), (1, 0))([Fraction(1, 2), None]), TypeError, "numbers"),
     ],
 )
 def test_mistakes_are_told(call, raised: type, told: str) -> None:
     with pytest.raises(raised) as caught:
         call()
     assert told.lower() in str(caught.value).lower()
+
+
+NESTED = """
+import threading, virote
+
+def told(call):
+    try:
+        call()
+    except ValueError as err:
+        assert "nested in itself, or more than 1000 lists deep" in str(err), err
+    else:
+        raise AssertionError("it is taken")
+
+def nested(deep):
+    found = [1]
+    for _ in range(deep - 1):
+        found = [found]
+    return found
+
+def work():
+    cycle, both, record = [], [], {}
+    cycle.append(cycle)
+    both += [both, both]
+    record["a"] = record
+    told(lambda: virote.bezier(cycle))
+    told(lambda: virote.mean([record]))
+    told(lambda: virote.flatten(both))
+    told(lambda: virote.flatten(nested(5000)))
+    told(lambda: virote.flatten(nested(1001)))
+    assert virote.flatten(nested(1000), depth=999).tolist() == [1]
+
+work()
+threading.stack_size(4 << 20)
+thread = threading.Thread(target=work)
+thread.start()
+thread.join()
+print("well")
+"""
+
+
+def test_what_is_nested_without_end_is_told() -> None:
+    # In a process of its own, which would be gone.
+    done = subprocess.run([sys.executable, "-c", NESTED], capture_output=True, text=True)
+    assert done.stdout == "well\n", done.stderr
+
+
+def test_values_never_change_and_are_their_own_copies() -> None:
+    line = virote.line((0, 0), (1, 0))
+    assert copy.copy(line) is line
+    assert copy.deepcopy({"c": [line]})["c"][0] is line
+
+
+def test_numbers_of_other_classes_are_parameters() -> None:
+    line = virote.line((0, 0), (4, 0))
+    assert line(Fraction(1, 4)).tolist() == [1, 0, 0] and line(Decimal("0.5")).tolist() == [2, 0, 0]
+    assert line([Fraction(1, 4), Decimal("0.5"), 1])[:, 0].tolist() == [1, 2, 4]
+    unmasked = np.ma.masked_array([0.0, 1.0], mask=[False, False])
+    assert line(unmasked)[:, 0].tolist() == [0, 4] and virote.mean(unmasked) == 0.5
 
 
 def test_operations_have_documentation_and_a_signature() -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -55,11 +57,56 @@ def test_an_error_is_an_exception_with_all_that_the_terminal_shows(wing: Path) -
     assert caught.value.diagnostics[0].severity == "error"
 
 
+def test_exceptions_go_from_process_to_process(wing: Path) -> None:
+    with pytest.raises(virote.GeoError) as caught:
+        virote.run(wing, {"span": "2km"})
+    error = caught.value
+    error.add_note("of the second run")
+    again = pickle.loads(pickle.dumps(error))
+    assert type(again) is virote.GeoError and again.results is None and error.results is not None
+    assert (again.code, again.message, again.places) == ("E0802", error.message, error.places)
+    assert str(again) == str(error) and again.render() == error.render()
+    assert again.diagnostics == error.diagnostics and again.__notes__ == ["of the second run"]
+    with pytest.raises(virote.CheckFailed) as failed:
+        virote.run(wing, {"span": "25m"}).raise_for_checks()
+    again = pickle.loads(pickle.dumps(failed.value))
+    assert str(again) == str(failed.value) and again.checks == failed.value.checks
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a folder where nothing is made")
+def test_what_the_system_refuses_keeps_its_number(tmp_path: Path) -> None:
+    results = virote.Session().run_text('export 1 to "a.json"')
+    for folder, number in (("/proc", errno.ENOENT), ("/dev/null", None)):
+        with pytest.raises(virote.WriteError) as caught:
+            results.write(folder)
+        again = pickle.loads(pickle.dumps(caught.value))
+        assert type(again) is virote.WriteError and again.code == "E0706"
+        assert again.errno == caught.value.errno == number
+        assert again.strerror == caught.value.strerror and str(again) == str(caught.value)
+    assert "`/dev/null` is a file, not a folder" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("call", "raised", "told"),
+    [
+        (lambda: virote.Session().run_text(3), TypeError, "a script is a text, found int"),
+        (lambda: virote.Session().run_text(b"let a = 3"), TypeError, "found bytes"),
+        (lambda: virote.Session(limits={"memory": 1 << 70}), ValueError, "`memory` is from 1 to"),
+        (lambda: virote.Session(limits={"memory": "1"}), ValueError, "'memory' is a whole number"),
+        (lambda: virote.Session(limits={"memory": -1}), ValueError, "'memory' is a whole number"),
+    ],
+)
+def test_what_a_session_does_not_take(call, raised: type, told: str) -> None:
+    with pytest.raises(raised, match=told):
+        call()
+
+
 @pytest.mark.parametrize(
     ("params", "raised", "told"),
     [
         ({"spna": 1}, KeyError, "did you mean `span`"),
         ({"n": float("nan")}, ValueError, "numbers are finite"),
+        ({"n": 10**400}, ValueError, "larger than any number"),
         ({"n": [1]}, TypeError, "found list"),
         ({"n": np.array([1.0, 2.0])}, TypeError, "is one number"),
         ({"n": None}, TypeError, "found NoneType"),

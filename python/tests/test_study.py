@@ -11,8 +11,11 @@ import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
+import numpy as np
 import pytest
 import virote
 
@@ -66,7 +69,6 @@ def test_dataframes_are_plans_and_results(script: Path) -> None:
         ([1], TypeError, "dictionary"),
         ({"n": [1, 2], "width": [1]}, ValueError, "not of one length"),
         ({"n": "1..2:3"}, TypeError, "list of values"),
-        ({"n": [float("nan")]}, ValueError, "finite"),
         ({"width [deg]": [1]}, ValueError, "in deg"),
         ("nowhere.csv", ValueError, "cannot read"),
     ],
@@ -82,6 +84,16 @@ def test_what_is_asked_wrongly_is_told(script: Path, tmp_path: Path) -> None:
         virote.study(script, plan, workers=0)
     with pytest.raises(ValueError, match="some time"):
         virote.study(script, plan, batch_seconds=float("nan"))
+    for limit in (0, -1, float("nan"), 1e300):
+        with pytest.raises(ValueError, match="a time limit is some seconds"):
+            virote.study(script, plan, time_limit=limit)
+    with pytest.raises(TypeError, match="a number of seconds, found '1s'"):
+        virote.study(script, plan, time_limit="1s")
+    for want in ("aera", ["double", "aera"]):
+        with pytest.raises(ValueError, match="defines no `aera`; did you mean `area`"):
+            virote.study(script, plan, want=want)
+    with pytest.raises(ValueError, match="'memory' is a whole number"):
+        virote.study(script, plan, limits={"memory": -1})
     with pytest.raises(TypeError, match="method `submit`"):
         virote.study(script, plan, client=3)
     with pytest.raises(ValueError, match="a folder for the parts"):
@@ -95,6 +107,65 @@ def test_what_is_asked_wrongly_is_told(script: Path, tmp_path: Path) -> None:
     script.write_text("param n = ")
     with pytest.raises(ValueError, match="a.geo"):
         virote.study(script, plan)
+
+
+def test_one_wanted_definition_may_stand_alone(script: Path) -> None:
+    with ThreadPoolExecutor(1) as pool:
+        results = virote.study(script, [{"n": 3}], want="double", client=pool, time_limit=60)
+    assert results.column("double") == [6] and "area [mm^2]" not in results[0]
+
+
+def test_what_is_missing_is_the_default_and_what_is_no_number_is_told(
+    script: Path, tmp_path: Path
+) -> None:
+    pd = pytest.importorskip("pandas")
+    pa = pytest.importorskip("pyarrow")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    nan = float("nan")
+    parquet.write_table(pa.table({"n": pa.array([2.0, None, nan])}), tmp_path / "p.parquet")
+    (tmp_path / "p.csv").write_text('n\n2\n""\nnan\n')
+    with ThreadPoolExecutor(1) as pool:
+        for plan in (
+            tmp_path / "p.parquet",
+            tmp_path / "p.csv",
+            [{"n": 2}, {"n": None}, {"n": nan}],
+            {"n": [np.float32(2), np.ma.masked, np.float32(nan)]},
+            pd.DataFrame({"n": pd.Series([2, pd.NA, nan], dtype=object)}),
+        ):
+            results = virote.study(script, plan, client=pool, progress=False)
+            assert results.column("double") == [4, 2, None], plan
+            assert results.column("code") == [None, None, "E0802"], plan
+        infinite = virote.study(script, [{"n": float("inf")}], client=pool, progress=False)
+    assert infinite.errors == {"E0802": 1}
+
+
+def test_decimals_of_files_are_numbers(script: Path, tmp_path: Path) -> None:
+    pa = pytest.importorskip("pyarrow")
+    parquet = pytest.importorskip("pyarrow.parquet")
+    widths = [Decimal("2.50"), Decimal("-3.25"), None]
+    for digits in (9, 18, 38):
+        column = pa.array(widths, pa.decimal128(digits, 2))
+        parquet.write_table(pa.table({"width [mm]": column}), tmp_path / "p.parquet")
+        with ThreadPoolExecutor(1) as pool:
+            results = virote.study(script, tmp_path / "p.parquet", client=pool, progress=False)
+        assert results.column("area [mm^2]") == [6.25, None, 100] and results.errors == {"E0802": 1}
+    for value in (Decimal("1.5"), Fraction(3, 2)):
+        with ThreadPoolExecutor(1) as pool:
+            results = virote.study(script, [{"width": value}], client=pool, progress=False)
+        assert results.column("area [mm^2]") == [2.25]
+
+
+def test_a_damaged_part_is_told_with_what_heals_it(script: Path, tmp_path: Path) -> None:
+    plan, out = virote.grid(n=range(5)), tmp_path / "out"
+    with ThreadPoolExecutor(1) as pool:
+        virote.study(script, plan, out=out, client=pool, progress=False)
+        part = sorted(out.glob("part-*.parquet"))[0]
+        part.write_bytes(part.read_bytes()[:50])
+        with pytest.raises(virote.StudyError, match=f"{part.name} is damaged .*; remove it"):
+            virote.study(script, plan, out=out, client=pool, progress=False)
+        part.unlink()
+        again = virote.study(script, plan, out=out, client=pool, progress=False)
+    assert again.column("double") == [0, 2, 4, 6, 8]
 
 
 def test_data_goes_along(tmp_path: Path) -> None:

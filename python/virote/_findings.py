@@ -95,6 +95,10 @@ class CheckFailed(Exception):
         self.checks = checks
         """The checks that failed."""
 
+    def __reduce__(self) -> Any:
+        # A process that it was raised in sends it to another one.
+        return type(self), (self.checks,)
+
 
 class GeoError(Exception):
     """An error of a script, or of a call of an operation.
@@ -111,7 +115,7 @@ class GeoError(Exception):
     hints: list[str]
     """What to do."""
     results: Results | None
-    """What no error touched, where a script was run."""
+    """What no error touched, where a script was run; ``None`` of an error that comes from another process."""
     diagnostics: list[Diagnostic]
     """All findings of the run."""
 
@@ -128,6 +132,10 @@ class GeoError(Exception):
     @classmethod
     def _of(cls, text: str, picture: str) -> GeoError:
         return cls(_diagnostic(text, picture))
+
+    def __reduce__(self) -> Any:
+        # Values stay in the process that made them.
+        return type(self), self.args, {**self.__dict__, "results": None}
 
     def render(self) -> str:
         """What the terminal would show: the place in the script, and what to do."""
@@ -148,6 +156,10 @@ class WriteError(GeoError, OSError):
         error.errno = number
         error.strerror = error.message
         return error
+
+    def __reduce__(self) -> Any:
+        made, args, state = super().__reduce__()
+        return made, args, {**state, "errno": self.errno, "strerror": self.strerror}
 
 
 def _diagnostic(text: str, picture: str) -> Diagnostic:

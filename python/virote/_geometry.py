@@ -81,6 +81,13 @@ class Value:
             bundle["image/png"] = base64.b64encode(bytes(picture)).decode()
         return bundle
 
+    def __copy__(self) -> Value:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Value:
+        # A value never changes.
+        return self
+
     def __reduce__(self) -> Any:
         name = type(self).__name__
         raise TypeError(f"a virote.{name} cannot be pickled; send the script and its parameters")
@@ -99,7 +106,7 @@ def _parameters(*given: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
     """Parameters as flat arrays of one length, and their common shape."""
     import numpy as np
 
-    arrays = [np.asarray(one) for one in given]
+    arrays = [_array(one) for one in given]
     for one in arrays:
         if one.dtype.kind not in "fiu":
             raise TypeError(f"parameters are numbers, found an array of {one.dtype}")
@@ -110,6 +117,18 @@ def _parameters(*given: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
         if not np.isfinite(one).all():
             raise ValueError("parameters are finite numbers, found NaN or infinity")
     return flat, shape
+
+
+def _array(given: ArrayLike) -> NDArray[Any]:
+    import numpy as np
+
+    if isinstance(given, np.ma.MaskedArray) and np.ma.is_masked(given):
+        raise ValueError("parameters have masked elements; `.compressed()` leaves them out")
+    array = np.asarray(given)
+    # Numbers of other classes, such as `Fraction` and `Decimal`.
+    if array.dtype == object and all(hasattr(one, "__float__") for one in array.flat):
+        return array.astype(np.float64)
+    return array
 
 
 def _check_order(order: int, count: int, dimensions: int) -> None:

@@ -109,7 +109,12 @@ class PartRows(Rows):
             first, last = path.stem.removeprefix("part-").split("-")
             numbers = range(int(first), int(last) + 1)
             is_behind = not found or found[-1].stop <= numbers.start
-            if is_behind and len(_virote.read_rows(os.fspath(path))) == len(numbers):
+            try:
+                n_rows = len(_virote.read_rows(os.fspath(path))) if is_behind else 0
+            except OSError as err:
+                told = f"{path} is damaged ({err}); remove it, and the same call evaluates its variants again"
+                raise StudyError(told) from err
+            if n_rows == len(numbers):
                 found.append(numbers)
         return found
 

@@ -35,9 +35,19 @@ def setting(name: str, value: object) -> str:
     except (TypeError, ValueError):
         kind = type(value).__name__
         raise TypeError(f"the parameter {name!r} is one number, found {kind}") from None
+    except OverflowError:
+        raise ValueError(f"the parameter {name!r} is larger than any number of the language") from None
     if number != number or number in (float("inf"), -float("inf")):
         raise ValueError(f"the parameter {name!r} is {number}; numbers are finite")
     return str(int(number)) if number.is_integer() and abs(number) < 2**53 else repr(number)
+
+
+def ceilings(limits: Mapping[str, int] | None) -> list[tuple[str, int]]:
+    """Limits by name; what is beyond all of them is left to the library, which tells how far each goes."""
+    for name, most in (limits or {}).items():
+        if not hasattr(most, "__index__") or most < 0:
+            raise ValueError(f"the limit {name!r} is a whole number of 0 or more, found {most!r}")
+    return [(name, min(most.__index__(), 2**64 - 1)) for name, most in (limits or {}).items()]
 
 
 class Session:
@@ -61,10 +71,7 @@ class Session:
             raise TypeError(f"threads are a whole number, found {threads!r}")
         if threads < 1:
             raise ValueError(f"a session has one thread or more, found {threads}")
-        for name, most in (limits or {}).items():
-            if not hasattr(most, "__index__") or most < 0:
-                raise ValueError(f"the limit {name!r} is a whole number of 0 or more, found {most!r}")
-        self._inner = _virote.Session(list((limits or {}).items()), threads)
+        self._inner = _virote.Session(ceilings(limits), threads)
 
     def run(
         self,
@@ -88,6 +95,8 @@ class Session:
         folder: str | os.PathLike[str] = ".",
     ) -> Results:
         """Evaluates a script given as text, whose files lie in ``folder``."""
+        if not isinstance(text, str):
+            raise TypeError(f"a script is a text, found {type(text).__name__}")
         return self._run("<text>", text.encode(), folder, params)
 
     def _run(

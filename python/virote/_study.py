@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import os
 import sys
 import tempfile
@@ -16,7 +17,7 @@ from typing import Any, TextIO, Union
 from . import _virote
 from ._pools import Lost, Pool, StudyError, Task, Variant, pool_of
 from ._rows import PartRows, Rows, StudyResults
-from ._session import ParameterValue, setting
+from ._session import ParameterValue, ceilings, setting
 
 __all__ = ["StudyError", "StudyResults", "grid", "study"]
 
@@ -63,7 +64,7 @@ def study(
     plan: Plan,
     *,
     out: str | os.PathLike[str] | None = None,
-    want: Sequence[str] = (),
+    want: str | Sequence[str] = (),
     params: Mapping[str, ParameterValue] | None = None,
     workers: int | None = None,
     client: Any = None,
@@ -86,11 +87,11 @@ def study(
         the other), a dictionary of columns or a DataFrame. Columns are called like parameters, with units behind them: ``"neck [mm]"``.
     :param out: a folder for Parquet parts as they come. A study that was cut goes on from them. Without it all
         rows are held in memory.
-    :param want: the definitions that are results; without it every named number, text and truth value.
+    :param want: the definitions that are results, or the one; without it every named number, text and truth value.
     :param params: values for parameters that do not vary.
     :param workers: processes of a pool of this machine; one for each processor by default.
     :param client: a Dask ``Client``, or any executor with ``submit``, in the place of the pool.
-    :param time_limit: seconds after which a variant is stopped.
+    :param time_limit: seconds after which a variant is stopped, more than 0.
     :param limits: ceilings of a variant by name, such as ``{"memory": 1 << 30}``.
     :param data: files beside the script that workers need; those that are read are found out as well.
     :param batch_seconds: how long a batch is to take; what a task costs a scheduler is small against it.
@@ -98,8 +99,11 @@ def study(
     """
     if not batch_seconds > 0:
         raise ValueError(f"a batch takes some time, found {batch_seconds} s")
+    seconds = _seconds(time_limit)
+    wanted = [want] if isinstance(want, str) else list(want)
     path = Path(script)
     text = path.read_bytes()
+    _virote.check_wants(path.name, text, os.fspath(path.parent), wanted)
     settings = [(name, setting(name, value)) for name, value in (params or {}).items()]
     files = {name: (path.parent / name).read_bytes() for name in data}
     task = Task(
@@ -107,9 +111,9 @@ def study(
         text,
         dict(files),
         settings,
-        list(want),
-        time_limit,
-        list((limits or {}).items()),
+        wanted,
+        seconds,
+        ceilings(limits),
     )
     with ExitStack() as stack:
         variants = _variants(path, text, plan, stack)
@@ -121,6 +125,16 @@ def study(
         stack.callback(lambda: pool.close(run.under_way))
         run.finish()
     return StudyResults(done, done.folder if isinstance(done, PartRows) else None)
+
+
+def _seconds(time_limit: float | None) -> float | None:
+    if time_limit is None:
+        return None
+    if not hasattr(time_limit, "__float__"):
+        raise TypeError(f"a time limit is a number of seconds, found {time_limit!r}")
+    if not 0 < time_limit < 2**63:
+        raise ValueError(f"a time limit is some seconds, found {time_limit}; without one it is left out")
+    return float(time_limit)
 
 
 def _variants(path: Path, text: bytes, plan: Plan, stack: ExitStack) -> _virote.PlanVariants:
@@ -174,7 +188,14 @@ def _column(name: str, values: Any) -> Sequence[Any]:
 
 
 def _cell(name: str, value: Any) -> str:
-    return "" if value is None else setting(name, value)
+    # As in files of plans: what is missing is the default, and what is no number is told in its row.
+    if value is None or type(value).__name__ in ("NAType", "NaTType", "MaskedConstant"):
+        return ""
+    try:
+        is_finite = math.isfinite(value)
+    except (TypeError, ValueError, OverflowError):
+        is_finite = True
+    return setting(name, value) if is_finite else str(float(value))
 
 
 def _csv_line(cells: Iterable[str]) -> str:

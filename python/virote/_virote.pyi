@@ -12,6 +12,7 @@ __all__ = [
     "PlanVariants",
     "Results",
     "Session",
+    "check_wants",
     "command",
     "operations",
     "read_rows",
@@ -76,6 +77,9 @@ class Session:
         folder: str | os.PathLike[str],
     ) -> Any: ...
 
+def check_wants(
+    name: str, text: bytes, folder: str | os.PathLike[str], want: list[str]
+) -> None: ...
 def command(args: list[str]) -> int: ...
 def operations() -> str: ...
 def read_rows(path: str | os.PathLike[str]) -> list[str]: ...

@@ -6,14 +6,14 @@ use std::{
 };
 
 use super::{
-    exit_status::ExitStatus, interrupt::INTERRUPTED, progress::Progress, reporter::Reporter,
-    run_args::RunArgs, settings,
+    exit_status::ExitStatus, progress::Progress, reporter::Reporter, run_args::RunArgs, settings,
 };
 use crate::{
     diag::{Code, Diagnostic, Severity, fault, nearest},
     disk::{OutputTarget, Script, ScriptFiles, StagedFile, TargetRefusal},
     eval::Setting,
     export::{ExportError, Summary, capped},
+    limits::work::StopToken,
     session::{Event, File, Report, Session},
 };
 
@@ -63,6 +63,8 @@ pub(super) struct RunOptions<'a> {
     only: &'a [String],
     mode: OutputMode<'a>,
     is_strict: bool,
+    /// Ends a run for another one.
+    stop: StopToken,
 }
 
 impl<'a> RunOptions<'a> {
@@ -83,13 +85,15 @@ impl<'a> RunOptions<'a> {
             only,
             mode,
             is_strict: common.strict,
+            stop: StopToken::default(),
         })
     }
 
     /// The same with a memory, so that each run evaluates only what changed, and to be stopped by
-    /// Ctrl-C.
-    pub(super) fn watching(self) -> Self {
-        Self { session: self.session.incremental().stopped_by(INTERRUPTED.clone()), ..self }
+    /// this: what it did not come to is not told then.
+    pub(super) fn watching(self, stop: StopToken) -> Self {
+        let session = self.session.incremental().stopped_by(stop.clone());
+        Self { session, stop, ..self }
     }
 
     /// Who tells.
@@ -114,6 +118,9 @@ impl<'a> RunOptions<'a> {
         let voice = &self.voice;
         let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
         let mut report = self.session.run(&script.name, &script.bytes, files, &self.settings);
+        if self.stop.is_stopped() {
+            return (report, ExitStatus::Wrong);
+        }
         let mut misuse = std::mem::take(&mut report.unknown_settings);
         misuse.extend(choose(&mut report, self.only));
         if !misuse.is_empty() {

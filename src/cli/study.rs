@@ -116,7 +116,7 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
     };
     let (n_variants, plan_sum) = plan.check(&schema)?;
     let maker = RowMaker::new(schema, asked.want.clone());
-    check_wants(&maker, &session, (&script, &disk), voice)?;
+    check_wants(&asked.want, &session, (&script, &disk), voice)?;
 
     // Go on where an earlier run ended.
     let header = header(asked, &script, &settings, &plan_sum);
@@ -186,7 +186,7 @@ fn schema(
 
 /// Refuses wanted results that the script does not define.
 fn check_wants(
-    maker: &RowMaker,
+    wants: &[String],
     session: &Session,
     (script, files): (&Script, &ScriptFiles),
     voice: &Reporter,
@@ -196,7 +196,7 @@ fn check_wants(
         StudyFailure::Told(ExitStatus::Wrong)
     })?;
     let defined: Vec<&str> = graph.nodes.iter().map(|node| node.name.as_str()).collect();
-    Ok(maker.check_wants(&defined)?)
+    Ok(crate::study::check_wants(wants, &defined)?)
 }
 
 /// Refuses settings that no parameter takes, as the first variant would.

@@ -44,7 +44,7 @@ pub(super) struct ViewOptions {
     #[arg(long)]
     no_open: bool,
     /// Writes a page that shows the model anywhere, without evaluation, and serves nothing
-    #[arg(long, value_name = "PAGE.html", conflicts_with_all = ["port", "origin", "no_open", "out"])]
+    #[arg(long, value_name = "PAGE.html", conflicts_with_all = ["port", "origin", "out"])]
     export: Option<PathBuf>,
     /// The folder for exported files [default: the script's own]
     #[arg(long, value_name = "DIR")]
@@ -81,6 +81,10 @@ pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
         session: &session,
     };
     if let Some(page) = &asked.export {
+        if let Some(why) = no_page(page) {
+            voice.trouble(&format!("cannot write `{}`: {why}", page.display()));
+            return ExitStatus::Usage;
+        }
         return export(&script, page, &voice);
     }
     interrupt::listen_once();
@@ -99,6 +103,15 @@ pub(super) fn run(asked: &ViewOptions) -> ExitStatus {
         thread::sleep(TICK);
     }
     ExitStatus::Well
+}
+
+/// Why a page cannot be written there, whatever is in it.
+fn no_page(path: &Path) -> Option<&'static str> {
+    if path.is_dir() {
+        return Some("it is a folder; name the page, such as `model.html`");
+    }
+    let is_dash = path.as_os_str() == "-";
+    is_dash.then_some("a page goes into a file, such as `model.html`, not to standard output")
 }
 
 /// Writes the page as one file.

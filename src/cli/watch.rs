@@ -1,10 +1,12 @@
 //! `virote watch`: carries a script out again whenever it is saved, or a file that it reads.
 //!
 //! Files are looked at five times a second, which every system and every network drive can do. One
-//! session with a memory carries out all runs, so that each evaluates only what the change touched.
+//! session with a memory carries out all runs, so that each evaluates only what the change touched. A run
+//! that is still under way when a file changes is ended: nobody waits for what it would tell.
 
 use std::{
     path::{Path, PathBuf},
+    sync::mpsc::{self, Receiver, RecvTimeoutError},
     thread,
     time::{Duration, Instant},
 };
@@ -21,11 +23,15 @@ use super::{
 use crate::{
     disk::{FileChange, ScriptFiles, WatchedFiles},
     eval::Work,
+    limits::work::StopToken,
     session::Report,
 };
 
 /// How often files are looked at.
 const TICK: Duration = Duration::from_millis(200);
+
+/// How often a run that is under way is asked whether Ctrl-C was pressed.
+const INTERRUPT_TICK: Duration = Duration::from_millis(25);
 
 /// What `virote watch` is asked for.
 #[derive(Debug, Args)]
@@ -46,8 +52,9 @@ pub(super) struct WatchOptions {
 pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     let mode =
         if asked.check { OutputMode::Check } else { OutputMode::Write(asked.out.as_deref()) };
+    let stop = StopToken::default();
     let run = match RunOptions::new(mode, &[], &asked.common) {
-        Ok(run) => run.watching(),
+        Ok(run) => run.watching(stop.clone()),
         Err(ending) => return ending,
     };
     if asked.file.as_os_str() == "-" {
@@ -60,9 +67,9 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     }
     interrupt::listen_once();
     let mut watched = WatchedFiles::new(&asked.file);
-    let mut n_runs = 0;
+    let (mut n_runs, mut change) = (0, watched.change());
     while !INTERRUPTED.is_stopped() && !is_closed() {
-        match watched.change() {
+        match change {
             FileChange::Nothing => {}
             FileChange::Gone => {
                 let text = format!("{} is gone; it is waited for", asked.file.display());
@@ -73,25 +80,81 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
                     run.voice().remark(&format!("\n{what} changed"));
                 }
                 n_runs += 1;
-                once(&run, &asked.file, &mut watched);
+                if let Some(next) = once(&run, &asked.file, &mut watched, &stop) {
+                    change = next;
+                    continue;
+                }
             }
         }
         thread::sleep(TICK);
+        change = watched.change();
     }
     ExitStatus::Well
 }
 
-/// Carries the script out and tells what was evaluated.
-fn once(run: &RunOptions<'_>, path: &Path, watched: &mut WatchedFiles) {
+/// Carries the script out and tells what was evaluated; what happened to files meanwhile, if anything.
+fn once(
+    run: &RunOptions<'_>,
+    path: &Path,
+    watched: &mut WatchedFiles,
+    stop: &StopToken,
+) -> Option<FileChange> {
     let begin = Instant::now();
-    let Some(script) = run.read(path) else { return };
-    let files = ScriptFiles::new(&script.folder);
-    let (report, _) = run.carry_out(script, &files);
+    let script = run.read(path)?;
+    let files = &ScriptFiles::new(&script.folder);
+    let (over, ended) = mpsc::channel();
+    let (report, change) = thread::scope(|scope| {
+        let followed = &mut *watched;
+        let look = move || look(followed, files, stop, &ended);
+        let looks = thread::Builder::new().spawn_scoped(scope, look);
+        let (report, _) = run.carry_out(script, files);
+        drop(over);
+        (report, looks.ok().and_then(|looks| looks.join().ok()).flatten())
+    });
+    let was_stopped = stop.reset();
     if INTERRUPTED.is_stopped() {
-        return;
+        return None;
     }
     watched.follow(&files.stamps());
-    run.voice().evaluated(&names(&report), report.n_with(Work::Reused), begin.elapsed());
+    if !was_stopped {
+        let n_kept = report.n_with(Work::Reused);
+        run.voice().evaluated(&names(&report), n_kept, begin.elapsed());
+    }
+    change
+}
+
+/// Looks at the files until the run has ended, and ends it where one changes or Ctrl-C is pressed.
+fn look(
+    watched: &mut WatchedFiles,
+    files: &ScriptFiles,
+    stop: &StopToken,
+    ended: &Receiver<()>,
+) -> Option<FileChange> {
+    let (mut n_files, mut last, mut found) = (0, Instant::now(), None);
+    while ended.recv_timeout(INTERRUPT_TICK) == Err(RecvTimeoutError::Timeout) {
+        if INTERRUPTED.is_stopped() {
+            stop.stop();
+        }
+        if last.elapsed() < TICK || stop.is_stopped() {
+            continue;
+        }
+        last = Instant::now();
+        let stamps = files.stamps();
+        if n_files < stamps.len() {
+            n_files = stamps.len();
+            watched.follow(&stamps);
+        }
+        match watched.change() {
+            FileChange::Nothing => {}
+            // It goes on until another script is there.
+            FileChange::Gone => found = Some(FileChange::Gone),
+            saved @ FileChange::Saved(_) => {
+                found = Some(saved);
+                stop.stop();
+            }
+        }
+    }
+    found
 }
 
 /// The definitions that were evaluated for a change.

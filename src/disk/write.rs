@@ -251,7 +251,7 @@ fn existing(folder: &Path) -> Option<PathBuf> {
     })
 }
 
-/// A file that stands where a folder is needed.
+/// A file that stands where a folder is needed, a device as well.
 fn obstacle(folder: &Path) -> Option<&Path> {
-    folder.ancestors().find(|part| part.is_file())
+    folder.ancestors().find(|part| part.exists() && !part.is_dir())
 }

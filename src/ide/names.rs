@@ -221,8 +221,15 @@ impl Document {
             return Err("nothing that can be renamed stands here: only names that scripts define"
                 .to_owned());
         }
+        let found = self.references(at);
+        let home = self.definition(at).map(|definition| definition.file);
+        if new.starts_with('_') && found.iter().any(|one| Some(&one.file) != home.as_ref()) {
+            return Err("names that begin with `_` are not shown to other files, and another \
+                        file uses this one"
+                .to_owned());
+        }
         let mut edits = Rename::new();
-        for found in self.references(at) {
+        for found in found {
             let edit = self.renamed(&found, new);
             edits.entry(found.file).or_default().push(edit);
         }

@@ -34,11 +34,31 @@ pub struct LineColumn {
     pub column: usize,
 }
 
-/// Where the lines of a text begin.
+/// Where the lines of a text begin, and how many columns there are up to its blocks: a line may be as long as
+/// the text, and is not counted from its start for each place in it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LineIndex {
     starts: Vec<usize>,
+    /// Columns of the text before each block, its line ends counted as well.
+    blocks: Vec<Columns>,
 }
+
+/// How many columns a text takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Columns {
+    utf16: usize,
+    utf32: usize,
+}
+
+impl Columns {
+    fn add(&mut self, character: char) {
+        self.utf16 += ColumnUnit::Utf16.width(character);
+        self.utf32 += ColumnUnit::Utf32.width(character);
+    }
+}
+
+/// Bytes of a block: at most these are counted for a place.
+const BLOCK: usize = 128;
 
 impl LineIndex {
     /// The lines of a text; they end with `\n`, `\r\n` or a lone `\r`.
@@ -49,7 +69,16 @@ impl LineIndex {
             bytes[*at] == b'\n' || bytes[*at] == b'\r' && bytes.get(at + 1) != Some(&b'\n')
         };
         let ends = (0..bytes.len()).filter(is_end).map(|at| at + 1);
-        Self { starts: std::iter::once(0).chain(ends).collect() }
+        let starts = std::iter::once(0).chain(ends).collect();
+        let (mut columns, mut blocks) = (Columns::default(), Vec::new());
+        for (at, character) in text.char_indices() {
+            // A block begins with the character that its first byte belongs to.
+            if blocks.len() * BLOCK < at + character.len_utf8() {
+                blocks.push(columns);
+            }
+            columns.add(character);
+        }
+        Self { starts, blocks }
     }
 
     /// How many lines there are.
@@ -82,12 +111,20 @@ impl LineIndex {
     pub fn position(&self, text: &str, at: usize, unit: ColumnUnit) -> LineColumn {
         let at = text.floor_char_boundary(at.min(text.len()));
         let line = self.starts.partition_point(|&start| start <= at).saturating_sub(1);
-        let before = &text[self.starts[line]..at];
-        let column = match unit {
-            ColumnUnit::Utf8 => before.len(),
-            _ => before.chars().map(|character| unit.width(character)).sum(),
-        };
+        let column = self.columns(text, at, unit) - self.columns(text, self.starts[line], unit);
         LineColumn { line, column }
+    }
+
+    /// How many columns the text takes before a byte, which is the start of a character, or its end.
+    fn columns(&self, text: &str, at: usize, unit: ColumnUnit) -> usize {
+        let block = (at / BLOCK).min(self.blocks.len().saturating_sub(1));
+        let mut columns = self.blocks.get(block).copied().unwrap_or_default();
+        text[block_start(text, block)..at].chars().for_each(|character| columns.add(character));
+        match unit {
+            ColumnUnit::Utf8 => at,
+            ColumnUnit::Utf16 => columns.utf16,
+            ColumnUnit::Utf32 => columns.utf32,
+        }
     }
 
     /// The byte at a line and column: beyond the end of a line its end, beyond the text its end, inside
@@ -95,16 +132,28 @@ impl LineIndex {
     #[must_use]
     pub fn offset(&self, text: &str, at: LineColumn, unit: ColumnUnit) -> usize {
         let range = self.line(at.line, text);
-        let line = text[range.clone()].trim_end_matches(['\n', '\r']);
-        let mut column = 0;
-        for (idx, character) in line.char_indices() {
+        let end = range.start + text[range.clone()].trim_end_matches(['\n', '\r']).len();
+        let wanted = self.columns(text, range.start, unit).saturating_add(at.column);
+        let behind = match unit {
+            ColumnUnit::Utf8 => wanted / BLOCK + 1,
+            ColumnUnit::Utf16 => self.blocks.partition_point(|before| before.utf16 <= wanted),
+            ColumnUnit::Utf32 => self.blocks.partition_point(|before| before.utf32 <= wanted),
+        };
+        let start = block_start(text, behind.saturating_sub(1)).clamp(range.start, end);
+        let mut column = self.columns(text, start, unit);
+        for (idx, character) in text[start..end].char_indices() {
             column += unit.width(character);
-            if at.column < column {
-                return range.start + idx;
+            if wanted < column {
+                return start + idx;
             }
         }
-        range.start + line.len()
+        end
     }
+}
+
+/// The first character of a block.
+fn block_start(text: &str, block: usize) -> usize {
+    text.floor_char_boundary(block.saturating_mul(BLOCK))
 }
 
 #[cfg(test)]
@@ -120,6 +169,33 @@ mod tests {
             for (at, character) in text.char_indices().filter(|(_, c)| !"\r\n".contains(*c)) {
                 let place = lines.position(text, at, unit);
                 assert_eq!(lines.offset(text, place, unit), at, "{character:?} {unit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn places_in_long_lines_go_there_and_back() {
+        // Characters of one to four bytes, so that blocks end inside of some, and after others.
+        let long = "aü€🫖b".repeat(300);
+        for pad in 0..4 {
+            let text = format!("{}{long}\n\r\n{long}\r{long}", "x".repeat(pad));
+            let lines = LineIndex::new(&text);
+            for unit in [ColumnUnit::Utf8, ColumnUnit::Utf16, ColumnUnit::Utf32] {
+                let mut place = LineColumn::default();
+                for (at, character) in text.char_indices().filter(|(_, c)| !"\r\n".contains(*c)) {
+                    let found = lines.position(&text, at, unit);
+                    if place.line < found.line {
+                        place = LineColumn { line: found.line, column: 0 };
+                    }
+                    assert_eq!(found, place, "{at} {unit:?}");
+                    assert_eq!(lines.offset(&text, place, unit), at, "{at} {unit:?}");
+                    place.column += unit.width(character);
+                }
+                let end = lines.position(&text, text.len(), unit);
+                assert_eq!(end, place);
+                assert_eq!(lines.offset(&text, end, unit), text.len());
+                let beyond = LineColumn { line: 0, column: usize::MAX };
+                assert_eq!(lines.offset(&text, beyond, unit), pad + long.len());
             }
         }
     }

@@ -44,8 +44,11 @@ impl Document {
                     && whole.start <= name.whole.start
                     && name.whole.end <= whole.end
             };
-            self.outline
-                .names
+            // A name stands inside of what defines it.
+            let names = &self.outline.names;
+            let first = names.partition_point(|name| name.place.start < whole.start);
+            let behind = names.partition_point(|name| name.place.start < whole.end);
+            names[first..behind.max(first)]
                 .iter()
                 .filter(is_inside)
                 .map(|name| symbol(name, Vec::new()))

@@ -12,6 +12,7 @@ use super::{
     paths,
     server::{RequestError, Server},
 };
+use crate::diag::Code;
 
 impl Server<'_> {
     pub(super) fn opened(&mut self, params: Json) {
@@ -69,13 +70,15 @@ impl Server<'_> {
         self.renew_others(uri, path.as_ref());
     }
 
-    /// What uses a file means something else now.
+    /// What uses a file means something else now, and what missed one may have found it.
     fn renew_others(&mut self, uri: &str, path: Option<&PathBuf>) {
         let uses = |open: &OpenDocument| match open.last_values() {
             Some(values) => {
-                let mut sources = values.report().sources.iter().skip(1);
+                let report = values.report();
+                let mut sources = report.sources.iter().skip(1);
                 let folder = open.folder();
                 sources.any(|source| Some(&paths::normal(&folder.join(&source.name))) == path)
+                    || report.diagnostics.iter().any(|found| found.code == Code::FileMissing)
             }
             None => true,
         };

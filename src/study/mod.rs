@@ -6,6 +6,7 @@
 //! their `columns` are known, and `results` (`typed_columns`) writes them.
 
 mod checksum;
+mod closed_quotes;
 mod columns;
 mod contact_sheet;
 mod files;
@@ -25,7 +26,7 @@ pub use files::KeptFiles;
 pub use journal::Journal;
 pub use plan::{Plan, Variant};
 pub use results::{ResultFormat, write_results};
-pub use row::{Row, RowMaker};
+pub use row::{Row, RowMaker, check_wants};
 pub use typed_columns::read_results;
 pub use vary::VariedParameter;
 pub use workers::{Evaluation, StudyPictures, in_order};

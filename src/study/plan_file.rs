@@ -8,10 +8,12 @@ use std::{
 };
 
 use parquet::{
+    data_type::Decimal,
     file::reader::{FileReader, SerializedFileReader},
     record::Field,
 };
 
+use super::closed_quotes::ClosedQuotes;
 use crate::{export::io_reason, value::shortest};
 
 /// A file with a row for each variant.
@@ -165,7 +167,8 @@ impl PlanFile {
     }
 }
 
-fn csv_reader<R: std::io::Read>(file: R, separator: u8) -> csv::Reader<R> {
+fn csv_reader<R: std::io::Read>(file: R, separator: u8) -> csv::Reader<ClosedQuotes<R>> {
+    let file = ClosedQuotes::new(file, separator);
     csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::All).from_reader(file)
 }
 
@@ -174,6 +177,23 @@ fn parquet_reader(path: &Path) -> Result<SerializedFileReader<File>, String> {
     let file =
         File::open(path).map_err(|err| format!("cannot read `{name}`: {}", io_reason(&err)))?;
     SerializedFileReader::new(file).map_err(|err| format!("cannot read `{name}`: {err}"))
+}
+
+/// What files call what is not a number.
+const NOT_A_NUMBER: &str = "nan";
+
+/// A decimal number of a hundred and twenty-eight bits or fewer, with all its digits.
+fn decimal_text(decimal: &Decimal) -> Option<String> {
+    let bytes = decimal.data();
+    let scale = usize::try_from(decimal.scale()).ok()?;
+    let mut all = [if bytes.first()? & 0x80 == 0 { 0 } else { 0xff }; 16];
+    all[16_usize.checked_sub(bytes.len())?..].copy_from_slice(bytes);
+    let value = i128::from_be_bytes(all);
+    let digits = format!("{:0width$}", value.unsigned_abs(), width = scale + 1);
+    let (whole, part) = digits.split_at(digits.len() - scale);
+    let sign = if value < 0 { "-" } else { "" };
+    let point = if part.is_empty() { "" } else { "." };
+    Some(format!("{sign}{whole}{point}{part}"))
 }
 
 /// A cell as CSV would have it; empty for null.
@@ -189,11 +209,35 @@ fn text_of(field: &Field) -> Option<String> {
         Field::UShort(n) => n.to_string(),
         Field::UInt(n) => n.to_string(),
         Field::ULong(n) => n.to_string(),
-        Field::Float(x) if x.is_nan() => String::new(),
-        Field::Double(x) if x.is_nan() => String::new(),
+        // Not a number is no missing value: the script refuses it.
+        Field::Float(x) if x.is_nan() => NOT_A_NUMBER.to_owned(),
+        Field::Double(x) if x.is_nan() => NOT_A_NUMBER.to_owned(),
         Field::Float(x) => x.to_string(),
         Field::Double(x) => shortest(*x),
+        Field::Decimal(decimal) => decimal_text(decimal)?,
         Field::Str(text) => text.clone(),
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use parquet::data_type::{ByteArray, Decimal};
+
+    use super::decimal_text;
+
+    #[test]
+    fn decimals_keep_their_digits() {
+        let of = |value: i128, scale: i32| {
+            let bytes = ByteArray::from(value.to_be_bytes().to_vec());
+            decimal_text(&Decimal::from_bytes(bytes, 38, scale)).unwrap_or_default()
+        };
+        assert_eq!(of(12345, 2), "123.45");
+        assert_eq!(of(-5, 3), "-0.005");
+        assert_eq!(of(-120, 0), "-120");
+        assert_eq!(of(i128::MIN, 38), "-1.70141183460469231731687303715884105728");
+        assert_eq!(decimal_text(&Decimal::from_i32(-7, 9, 1)).as_deref(), Some("-0.7"));
+        let wide = ByteArray::from(vec![0; 17]);
+        assert_eq!(decimal_text(&Decimal::from_bytes(wide, 40, 0)), None);
+    }
 }

@@ -41,25 +41,25 @@ pub struct RowMaker {
 /// Characters of a claim in the title of its column.
 const MOST_CLAIM: usize = 80;
 
+/// Finds wanted names that the script does not define among `defined`.
+///
+/// # Errors
+/// The first, and the name that was meant.
+pub fn check_wants(wants: &[String], defined: &[&str]) -> Result<(), String> {
+    let Some(name) = wants.iter().find(|name| !defined.contains(&name.as_str())) else {
+        return Ok(());
+    };
+    Err(match nearest(name, defined.iter().copied()) {
+        Some(near) => format!("the script defines no `{name}`; did you mean `{near}`?"),
+        None => format!("the script defines no `{name}`"),
+    })
+}
+
 impl RowMaker {
     /// For the script of a schema.
     #[must_use]
     pub fn new(schema: Schema, wants: Vec<String>) -> Self {
         Self { parameters: schema.parameters, unit: schema.unit, wants }
-    }
-
-    /// Finds names that the script does not define among `defined`.
-    ///
-    /// # Errors
-    /// The first, and the name that was meant.
-    pub fn check_wants(&self, defined: &[&str]) -> Result<(), String> {
-        let Some(name) = self.wants.iter().find(|name| !defined.contains(&name.as_str())) else {
-            return Ok(());
-        };
-        Err(match nearest(name, defined.iter().copied()) {
-            Some(near) => format!("the script defines no `{name}`; did you mean `{near}`?"),
-            None => format!("the script defines no `{name}`"),
-        })
     }
 
     /// The row of a variant; `why_stopped` tells why it was, where it was stopped.

@@ -230,10 +230,14 @@ impl<'s> Scanner<'s> {
         let diagnostic =
             Diagnostic::error(Code::UnclosedString, span, "this string is never closed")
                 .label("a `\"` is missing before the end of the line");
+        let is_behind_number =
+            self.source[..span.start as usize].ends_with(|c: char| c.is_ascii_digit());
         self.complain(if has_brace {
             diagnostic.hint(
                 "`{` begins an interpolation that ends with `}`; write `\\{` for the brace itself",
             )
+        } else if is_behind_number {
+            diagnostic.hint("an inch is written `in`, glued to the number: `3in`")
         } else {
             diagnostic.fix(Fix::insert(Span::new(span.end, span.end), "\""))
         });
@@ -293,17 +297,12 @@ impl<'s> Scanner<'s> {
         let diagnostic = diagnostic.label("not part of the language").hint(hint);
         self.complain(match meant {
             _ if text == "°" => {
-                // Glued to the number.
-                let is_blank = |number: &Span| {
-                    let between = &self.source[number.end as usize..span.start as usize];
-                    between.bytes().all(|byte| byte == b' ')
-                };
-                let number = self.out.spans.last().copied().filter(is_blank);
-                let start = number.map_or(span.start, |number| number.end);
-                diagnostic.fix(Fix::replace(Span::new(start, span.end), "deg"))
+                diagnostic.fix(foreign::degrees(self.source, self.out.spans.last(), span))
             }
             Token::Bad => diagnostic,
-            meant => diagnostic.fix(Fix::replace(span, meant.text())),
+            meant => {
+                diagnostic.fix(Fix::replace(span, foreign::apart(self.source, span, meant.text())))
+            }
         });
         if text != "°" {
             self.push(meant);

@@ -146,6 +146,20 @@ margin 5: tilt ~= 15deg within 1deg [deg],check 6: id < 4,margin 6: id < 4,code,
     }
 }
 
+/// What stands behind it would be one cell with it.
+#[test]
+fn a_quote_that_is_not_closed_is_told() {
+    let scratch = Scratch::new("study-quotes");
+    scratch.file("a.geo", SCRIPT);
+    for (plan, line) in [("n\n1\n\"2\n3\n", 3), ("\"n\n1\n", 1), ("n\n\"1\n", 2)] {
+        scratch.file("p.csv", plan);
+        let (out, err, code) = study(&scratch, &["p.csv", "-o", "r.csv"]);
+        let told = format!("cannot read `p.csv`: the quote that line {line} opens is not closed");
+        assert!(err.contains(&told), "{plan:?}: {err}");
+        assert_eq!((out.as_str(), code), ("", 3), "{plan:?}");
+    }
+}
+
 #[test]
 fn bad_plans_are_told_before_anything_is_evaluated() {
     let scratch = Scratch::new("study-plans");
@@ -193,6 +207,7 @@ fn bad_plans_are_told_before_anything_is_evaluated() {
         (&["--vary", "n=1,2", "-o", "r.xlsx"], "results end in `.csv`, `.jsonl` or `.parquet`"),
         (&["--vary", "n=1,2", "-o", "r"], "in none of them"),
         (&["--vary", "n=1,2", "-o", "a.geo/r.csv"], "`a.geo` is a file, not a folder"),
+        (&["--vary", "n=1,2", "-o", "/dev/null/r.csv"], "`/dev/null` is a file, not a folder"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--want", "aera"], "did you mean `area`?"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--want", "many"], "`many` is a list of 2 numbers"),
         (&["--vary", "n=1,2", "-o", "r.csv", "--set", "m=1"], "the script has no parameter `m`"),

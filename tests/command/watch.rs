@@ -157,6 +157,32 @@ fn ctrl_c_stops_an_evaluation() {
 }
 
 #[test]
+fn a_change_ends_the_run_under_way() {
+    let scratch = Scratch::new("watch-change-under-way");
+    let long = "fold(0..9_000_000, 0, (x, y) => fold(0..1000, x, (p, q) => p + q))";
+    let slow = format!("import \"part.geo\"\nlet a = {long}\nprint a\n");
+    scratch.file("part.geo", "let size = 3\n");
+    scratch.file("a.geo", format!("print 1 + 1\n{slow}"));
+    let watch = Watch::new(&scratch, &["a.geo", "--limit", "steps=9_000_000_000"]);
+    // So that it is under way: it was begun before another one that has been carried out.
+    let other = |text: &str| {
+        scratch.file("b.geo", format!("print {text}\n"));
+        let other = Watch::new(&scratch, &["b.geo"]);
+        other.sees(&[text]);
+        assert_eq!(other.interrupted(), Some(0));
+    };
+    other("7");
+    // What it read, too.
+    scratch.file("part.geo", "let size = 30\n");
+    watch.sees(&["part.geo changed"]);
+    other("8");
+    scratch.file("a.geo", "let b = 40 + 2\nprint b\n");
+    let seen = watch.sees(&["a.geo changed", "b = 42", "(evaluated 1: b"]);
+    assert!(!seen.iter().any(|line| line.contains("1 + 1") || line.contains("[E")), "{seen:?}");
+    assert_eq!(watch.interrupted(), Some(0));
+}
+
+#[test]
 fn ctrl_c_stops_the_writing_of_a_file_and_leaves_nothing_of_it() {
     let scratch = Scratch::new("watch-stop-writing");
     scratch.file("a.geo", "export sphere((0, 0), 1) to \"a.obj\" with (tolerance = 1e-8)\n");

@@ -64,6 +64,12 @@ fn slips_are_mended() {
 fn habits_from_elsewhere_are_mended() {
     check("print 1 <> 2", "print 1 != 2");
     check("print true && false", "print true and false");
+    check("print !true", "print not true");
+    check("print 1 == 1&&true", "print 1 == 1 and true");
+    check("print (1 < 2)||(2 < 1)", "print (1 < 2) or (2 < 1)");
+    check("print 0x1F", "print 31");
+    check("print 0b101", "print 5");
+    check("param a = 3 between 1..5  print a", "param a = 3 in 1..5  print a");
     check("print 3 × 4", "print 3 * 4");
     check("print sin(30°)", "print sin(30deg)");
     check("print sin(30 °)", "print sin(30deg)");

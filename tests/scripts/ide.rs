@@ -285,6 +285,32 @@ fn names_are_followed_and_renamed_across_files() {
 }
 
 #[test]
+fn what_other_files_use_stays_visible_to_them() {
+    let files = || MemoryFiles::from([("part.geo", "let wide = 3mm\nlet twice = 2 * wide\n")]);
+    for text in
+        ["import \"part.geo\" as part\nprint part.wi‸de", "import \"part.geo\" (wide)\nprint wi‸de"]
+    {
+        let one = scene_with(text, files());
+        let refused = one.document.rename(&one.session, &one.files, one.at, "_w").unwrap_err();
+        assert!(refused.contains("begin with `_` are not shown to other files"), "{refused}");
+    }
+    // What only its own file uses may hide, and show itself again.
+    for (text, new, right) in [
+        ("let wide‸ = 3\nprint wide", "_w", "let _w = 3\nprint _w"),
+        ("let _w‸ = 3\nprint _w", "wide", "let wide = 3\nprint wide"),
+        (
+            "import \"part.geo\" as part‸\nprint part.wide",
+            "_p",
+            "import \"part.geo\" as _p\nprint _p.wide",
+        ),
+    ] {
+        let one = scene_with(text, files());
+        let edits = one.document.rename(&one.session, &one.files, one.at, new).unwrap();
+        assert_eq!(one.edited(&edits[&None]), right);
+    }
+}
+
+#[test]
 fn hints_tell_values_margins_and_parameters() {
     let text = "let a = 2mm\nlet b = a * 3\nlet c = line((0, 0), (3, 4))\ncheck length(c) < 6\nlet d = circle((0, 0), 2)";
     let one = scene(text);

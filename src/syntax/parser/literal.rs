@@ -80,6 +80,11 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
             .hint(format!("did you mean `{digits}{unit}`?"))
             .fix(Fix::replace(span, format!("{digits}{unit}")));
     }
+    if let Some(value) = of_another_base(digits, suffix) {
+        return diagnostic
+            .hint(format!("numbers are written to the base of ten: `{value}`"))
+            .fix(Fix::replace(span, value.to_string()));
+    }
     // Of equally near units the millimetre.
     let known = || ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name));
     let is_constant = matches!(suffix, "pi" | "tau" | "π");
@@ -100,6 +105,22 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
             .fix(Fix::replace(span, format!("{digits} * {suffix}"))),
     }
 }
+
+/// `0x1f`, `0b101` or `0o17`, as far as it is whole in a number.
+fn of_another_base(digits: &str, suffix: &str) -> Option<u64> {
+    let (mark, rest) = suffix.split_at_checked(1)?;
+    let base = match mark {
+        "x" | "X" => 16,
+        "o" | "O" => 8,
+        "b" | "B" => 2,
+        _ => return None,
+    };
+    let value = u64::from_str_radix(rest, base).ok()?;
+    (digits == "0" && value <= MOST_WHOLE).then_some(value)
+}
+
+/// Up to here every whole number is one of the language's numbers.
+const MOST_WHOLE: u64 = 1 << f64::MANTISSA_DIGITS;
 
 /// An area or a volume as it is written: `mm^2` for `mm2`.
 fn power_of_unit(suffix: &str) -> Option<String> {

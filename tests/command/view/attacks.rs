@@ -5,7 +5,7 @@ use std::{io::Write, net::TcpListener, time::Duration};
 use serde_json::json;
 
 use super::client::View;
-use crate::support::{Scratch, said, virote};
+use crate::support::{Scratch, told as said, virote};
 
 const SCRIPT: &str = "param r = 1\ncurve c = circle((0, 0), r)\n";
 

@@ -300,7 +300,8 @@ fn a_page_of_its_own_holds_the_model() {
     let scratch = Scratch::new("view-page");
     scratch.file("model.geo", format!("{SCRIPT}print \"</script><b>\"\n"));
     let export = |file: &str| {
-        let output = virote(&scratch.0).args(["view", "model.geo", "--export", file]).output();
+        let args = ["view", "model.geo", "--no-open", "--export", file];
+        let output = virote(&scratch.0).args(args).output();
         said(&output.expect("it runs"))
     };
     let (out, err, code) = export("page.html");
@@ -316,6 +317,10 @@ fn a_page_of_its_own_holds_the_model() {
     );
     assert!(!page.contains("href=\"app.css\"") && !page.contains("src=\"app.js\""));
     assert_eq!(export("model.geo").2, 3, "not over the script");
+    for (file, why) in [(".", "it is a folder"), ("-", "not to standard output")] {
+        let (_, err, code) = export(file);
+        assert!(code == 3 && err.contains(why), "{file}: {err}");
+    }
     scratch.file("model.geo", "let a = b\n");
     assert_eq!(export("other.html").2, 2);
     assert_eq!(files_below(&scratch.0), ["model.geo", "page.html"]);

@@ -135,6 +135,23 @@ fn a_document_of_ten_megabytes_is_served() {
     assert!(client.findings(URI, 2).is_empty());
 }
 
+/// Each place is counted from the start of its line, which is far away.
+#[test]
+fn a_long_line_of_many_definitions_is_served() {
+    let mut client = Client::new();
+    let n = 20_000;
+    let definitions: Vec<String> = (0..n).map(|i| format!("let ü{i} = {i}")).collect();
+    client.open(URI, &definitions.join(" "));
+    let params = json!({ "textDocument": { "uri": URI } });
+    let found = client.ask("textDocument/semanticTokens/full", params.clone());
+    assert_eq!(found["data"].as_array().map(Vec::len), Some(5 * 4 * n));
+    let found = client.ask("textDocument/documentSymbol", params);
+    let start = definitions.join(" ").chars().count() - format!("ü{0} = {0}", n - 1).len() + 1;
+    let end = start + format!("ü{}", n - 1).chars().count();
+    let (start, end) = (start as u32, end as u32);
+    assert_eq!(found[n - 1]["selectionRange"], range_of([0, start, 0, end]));
+}
+
 #[test]
 fn a_thousand_edits_in_a_row_come_to_the_last() {
     let mut client = Client::new();
@@ -167,6 +184,21 @@ fn files_that_vanish_are_told() {
         json!({ "textDocument": { "uri": uri }, "position": { "line": 0, "character": 8 } }),
     );
     lives(&mut client);
+}
+
+#[test]
+fn an_import_that_was_missing_is_found_when_it_is_made() {
+    let folder = crate::support::Scratch::new("lsp-made");
+    let uri = |name: &str| format!("file://{}", folder.0.join(name).display());
+    let mut client = Client::new();
+    let code = |client: &mut Client| client.findings(&uri("main.geo"), 1)[0]["code"].clone();
+    client.open(&uri("main.geo"), "import \"middle.geo\" as middle\nprint middle.size");
+    assert_eq!(code(&mut client), "E0701");
+    // In the editor, and not on the disk yet; it misses another one.
+    client.open(&uri("middle.geo"), "import \"part.geo\" as part\nlet size = part.size");
+    assert_eq!(code(&mut client), "E0306");
+    client.open(&uri("part.geo"), "let size = 3mm");
+    assert!(client.findings(&uri("main.geo"), 1).is_empty());
 }
 
 /// Whoever types at random.

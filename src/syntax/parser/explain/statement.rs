@@ -34,6 +34,9 @@ const HABITS: &[(&str, &str)] = &[
     ("units", "unit"),
 ];
 
+/// Words that people write where the range of a `param` follows.
+const RANGE_WORDS: &[&str] = &["between", "among", "inside"];
+
 /// No statement begins with the token that was found.
 pub(super) fn beginning(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let found = place.found();
@@ -135,6 +138,9 @@ pub(crate) fn trailing(
         Token::Name if keyword == Token::Check && place.is_last() => place
             .wrong(format!("expected an operator or the next statement, found `{}`", place.text()))
             .label(format!("did you mean the words of the report, `, \"{}\"`?", place.text())),
+        Token::Name if keyword == Token::Param && RANGE_WORDS.contains(&place.text()) => {
+            place.guess("the next statement", "in")
+        }
         Token::Name if slip_of_part(&place).is_some() => {
             let meant = slip_of_part(&place).unwrap_or_default();
             place.guess("the next statement", meant)
