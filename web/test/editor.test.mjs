@@ -42,6 +42,19 @@ test("an address names the definition that is shown", option, async () => {
   await page.close();
 });
 
+test("in a narrow window the picture is not covered", option, async () => {
+  const shown = (page) => page.$$eval(".panel", (panels) => panels.map((panel) => !panel.hidden));
+  for (const [width, expected] of [[1200, [true, true]], [700, [true, false]], [380, [false, false]]]) {
+    const page = await openPage(served.url, { width, height: 600 });
+    await page.evaluate(() => localStorage.clear());
+    await page.reload();
+    await until(page, () => window.virote.items.length > 0);
+    assert.deepEqual(await shown(page), expected, `${width}`);
+    assert.deepEqual(page.faults, []);
+    await page.close();
+  }
+});
+
 /** The panel of the extension with the page in its frame, and an editor that keeps what it hears. */
 async function openPanel(t) {
   const html = panelPage(served.url);

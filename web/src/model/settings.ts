@@ -104,7 +104,7 @@ export class SettingsSignal extends Signal<Settings> {
 
   constructor() {
     const old = kept();
-    super({ ...DEFAULTS, ...old });
+    super({ ...DEFAULTS, ...old, ...ofNarrowWindow() });
     this.isFirstVisit = Object.keys(old).length === 0;
     this.follow((settings) => {
       try {
@@ -124,6 +124,12 @@ export class SettingsSignal extends Signal<Settings> {
   toggle(name: { [K in keyof Settings]: Settings[K] extends boolean ? K : never }[keyof Settings]): void {
     this.put({ [name]: !this.value[name] });
   }
+}
+
+/** Panels that would lie over the picture, as the style says, begin closed. */
+function ofNarrowWindow(): Partial<Settings> {
+  if (innerWidth <= 560) return { leftPanel: false, rightPanel: false };
+  return innerWidth <= 760 ? { rightPanel: false } : {};
 }
 
 function kept(): Partial<Settings> {
