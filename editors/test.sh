@@ -1,5 +1,6 @@
 #!/bin/sh
-# The language server with real clients: the protocol's own from npm, and Neovim where it is installed. Packs the extension.
+# The language server with real clients: the protocol's own from npm, and Neovim and Emacs where they are installed. Packs the
+# extension.
 # VIROTE names the command to test (target/debug/virote without it).
 set -eu
 cd "$(dirname "$0")"
@@ -14,4 +15,9 @@ if command -v nvim >/dev/null; then
     nvim --headless -u NONE -c 'luafile neovim/test.lua'
 else
     echo "NOT CHECKED: there is no Neovim" >&2
+fi
+if command -v emacs >/dev/null; then
+    emacs -q --batch -l emacs/test.el
+else
+    echo "NOT CHECKED: there is no Emacs" >&2
 fi

@@ -53,9 +53,11 @@ impl Server<'_> {
                 text.push_str(&format!("\n\n![](data:image/png;base64,{})", base64(&png)));
             }
         }
-        let kind =
-            if self.client.reads_markdown { MarkupKind::Markdown } else { MarkupKind::PlainText };
-        let contents = MarkupContent { kind, ..markdown(text) };
+        let contents = if self.client.reads_markdown {
+            markdown(text)
+        } else {
+            MarkupContent { kind: MarkupKind::PlainText, value: without_fences(&text) }
+        };
         Some(Hover { contents: HoverContents::Markup(contents), range: Some(shown) })
     }
 
@@ -109,5 +111,21 @@ impl Server<'_> {
             Some(page) => CompletionItem { documentation: documentation(&page), ..item },
             None => item,
         }
+    }
+}
+
+/// Markdown for whom reads it as it stands: without the lines around code.
+fn without_fences(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("```")).collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_fences;
+
+    #[test]
+    fn plain_text_has_no_fences() {
+        assert_eq!(without_fences("```geo\nlet a\n```\n\n3 mm"), "let a\n\n3 mm");
     }
 }
