@@ -20,6 +20,7 @@ mod integral_piece;
 mod integral_start;
 mod kink;
 pub(crate) mod least;
+mod least_beside;
 mod least_model;
 pub(crate) mod least_problem;
 mod least_search;
