@@ -123,6 +123,17 @@ pub const ARMIJO: f64 = 1e-4;
 /// Larger loses digits; smaller goes on among values that rounding makes equal.
 pub const LEAST_STEP_RELATIVE: f64 = 1e-11;
 
+/// A search for a root that ran out of steps is in a valley where more than this share of the squares at the start is
+/// left; elsewhere it may be where functions only tend to zero.
+///
+/// Larger asks for more where a valley is left; smaller follows what only tends to zero until it is none.
+pub(crate) const SQUARES_IN_VALLEY: f64 = 1e-12;
+
+/// The share of squares that some steps of Newton leave near a root, and not where functions only tend to zero.
+///
+/// Larger follows what only tends to zero; smaller asks for more digits than there are.
+pub(crate) const SQUARES_AT_ROOT: f64 = 1e-16;
+
 /// How far from the end of such a search better places are looked for, as a fraction of the unknowns' sizes.
 ///
 /// Larger misses narrow valleys beside it; smaller finds rounding.
