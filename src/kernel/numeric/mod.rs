@@ -40,4 +40,5 @@ pub(crate) mod slope;
 pub(crate) mod symmetric_band;
 pub(crate) mod symmetric_eigen;
 pub(crate) mod trajectory;
+pub(crate) mod trajectory_nodes;
 pub(crate) mod triangular_factor;
