@@ -25,7 +25,7 @@ op! {
     /// list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
-    /// tells is a root. Of any other function the list holds every root that 256
+    /// tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
     /// places at equal distances tell apart, and is refused where more than every fourth part between them holds one.
     /// Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
     /// *Introduction to Interval Analysis*, §8.1.
