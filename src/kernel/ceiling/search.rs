@@ -124,6 +124,9 @@ pub(crate) const CONSTRAINED_HALVINGS: usize = 40;
 /// Times that a place beside conditions is led back onto them, each with one question.
 pub(crate) const CONDITION_CORRECTIONS: usize = 4;
 
+/// Unknowns of such a search whose curvature is looked at where it ends, by half their square of questions at most.
+pub(crate) const CURVATURE_UNKNOWNS: usize = 200;
+
 /// Times that such a search goes on from a better place beside its end, such as beside a saddle.
 pub(crate) const CONSTRAINED_RESTARTS: usize = 4;
 

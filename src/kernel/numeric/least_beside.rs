@@ -13,7 +13,7 @@ use super::{
     symmetric_eigen::symmetric_axes,
 };
 use crate::{
-    ceiling::CONDITION_CORRECTIONS,
+    ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS},
     tolerance::{
         LEAST_BEND_RELATIVE, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE,
     },
@@ -100,6 +100,9 @@ where
             n_equations: self.problem.n_equations,
         };
         let Some(holding) = terms.holding() else { return Ok(false) };
+        if CURVATURE_UNKNOWNS < self.place.len() {
+            return Ok(false);
+        }
         let ways = free_ways(&holding, self.place.len());
         let Some(curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
         let axes = symmetric_axes(curvature);

@@ -20,7 +20,7 @@ op! {
     /// which need not be the greatest of all. Its steps are those of sequential quadratic programming; gradients
     /// are exact where derivatives pass through all that the function does (see `gradient`), else central
     /// differences. What would be higher a little beside the answer is looked at before it is given: along each unknown, and
-    /// along the ways that the conditions leave free on which the function does not bend to fall, so that no saddle, nor
+    /// of up to 200 along the ways that the conditions leave free and the function bends up, so that no saddle, nor
     /// the least value on a circle, is taken for the greatest. What does not settle in 5000 steps is refused. Nocedal &
     /// Wright, *Numerical Optimization*, ch. 18, §12.5.
     maximize in Math -> Value {

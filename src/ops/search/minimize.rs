@@ -21,7 +21,7 @@ op! {
     /// which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
     /// are exact where derivatives pass through all that the function does (see `gradient`), else central
     /// differences. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
-    /// along the ways that the conditions leave free on which the function does not bend to rise, so that no saddle, nor
+    /// of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
     /// the greatest value on a circle, is taken for the least. What does not settle in 5000 steps is refused. Nocedal &
     /// Wright, *Numerical Optimization*, ch. 18, §12.5.
     minimize in Math -> Value {
