@@ -63,7 +63,6 @@ pub(super) fn solved(
         },
         &unknowns.values,
     )?;
-    let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (left, first) = (size(&found.residuals), size(&found.first_residuals));
     let is_small = left <= SYSTEM_ROOT_RELATIVE * first;
     let is_root = is_small && found.rest <= SYSTEM_STEP_RELATIVE;
@@ -84,11 +83,17 @@ pub(super) fn solved(
         };
         return Ok((unknowns.found_by(dim).with_reals(&reals), found));
     }
+    no_root(&unknowns, &found, start.span, is_small)
+}
+
+/// Why there is no root, where the search ended.
+fn no_root<T>(unknowns: &Unknowns, found: &LeastSquares, start: Span, is_small: bool) -> Result<T> {
+    let [left, first] = [&found.residuals, &found.first_residuals].map(|values| size(values));
     let message = match is_small {
         true => "no root was found from this start: the functions only tend to 0, or come near",
         false => "no root was found from this start",
     };
-    Diagnostic::error(Code::NoAnswer, start.span, message)
+    Diagnostic::error(Code::NoAnswer, start, message)
         .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))
         .hint(format!(
             "of what is to be 0 there is {} left there, of {} at the start; another start may lead to a root",
@@ -96,6 +101,11 @@ pub(super) fn solved(
             six_digits(first, None)
         ))
         .fail()
+}
+
+/// The largest of some values by size.
+fn size(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
 /// That there are as many equations as unknowns on which they depend, or more: of a point in the plane nothing
