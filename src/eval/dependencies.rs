@@ -109,7 +109,7 @@ impl GraphItem<'_> {
                 let (kind, text) = match &effect.kind {
                     EffectKind::Check { claim, .. } => ("check", document.excerpt(claim.span)),
                     EffectKind::Print(exprs) => {
-                        let texts = exprs.iter().map(|expr| document.excerpt(expr.span));
+                        let texts = exprs.iter().map(|printed| document.excerpt(printed.expr.span));
                         ("print", texts.collect::<Vec<_>>().join(", "))
                     }
                     EffectKind::Export { path, .. } => ("export", path_text(path, document)),

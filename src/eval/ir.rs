@@ -270,7 +270,7 @@ pub(crate) enum EffectKind {
         claim: Expr,
         message: Option<Expr>,
     },
-    Print(Vec<Expr>),
+    Print(Vec<PrintedExpr>),
     /// `named` are the definitions that the subjects name.
     Export {
         subjects: ExportedSubjects,
@@ -284,6 +284,14 @@ pub(crate) enum EffectKind {
         subject: Expr,
         found: Option<Box<Diagnostic>>,
     },
+}
+
+/// An expression of a print, which is printed where what it depends on by itself has a value.
+#[derive(Debug)]
+pub(crate) struct PrintedExpr {
+    pub(crate) expr: Expr,
+    pub(crate) dependencies: Vec<usize>,
+    pub(crate) is_poisoned: bool,
 }
 
 /// The word of an export that means all geometry of the script, where the script calls nothing else so.

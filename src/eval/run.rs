@@ -7,7 +7,9 @@ use super::{
     appearance::Appearances,
     file_run::FileRun,
     globals::{Globals, KeptGlobals},
-    ir::{Arg, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, Kind, REPORT},
+    ir::{
+        Arg, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, Kind, PrintedExpr, REPORT,
+    },
     load::{LoadedScript, load},
     machine::Machine,
     memory::Work,
@@ -140,16 +142,16 @@ impl FileRun<'_> {
             if self.machine.is_full {
                 break;
             }
-            if effect.is_poisoned || !self.is_ready(&effect.dependencies) {
-                continue;
-            }
+            let can_act = !effect.is_poisoned && self.is_ready(&effect.dependencies);
             match &effect.kind {
+                // Each of its expressions by itself.
+                EffectKind::Print(exprs) => self.print(exprs, effect.n_slots, &mut outputs),
+                _ if !can_act => {}
                 EffectKind::Check { claim, message } => {
                     outputs.extend(
                         self.check(effect, claim, message.as_ref()).map(EffectOutput::Checked),
                     );
                 }
-                EffectKind::Print(exprs) => self.print(exprs, effect.n_slots, &mut outputs),
                 EffectKind::Export { .. } => {
                     let exported = self.export(effect, definitions, &looks);
                     outputs.extend(exported.map(EffectOutput::Exported));
@@ -195,8 +197,12 @@ impl FileRun<'_> {
         }
     }
 
-    fn print(&mut self, exprs: &[Expr], n_slots: usize, outputs: &mut Vec<EffectOutput>) {
-        for expr in exprs {
+    /// What an expression of a print fails at does not silence the others.
+    fn print(&mut self, exprs: &[PrintedExpr], n_slots: usize, outputs: &mut Vec<EffectOutput>) {
+        for PrintedExpr { expr, dependencies, is_poisoned } in exprs {
+            if *is_poisoned || !self.is_ready(dependencies) {
+                continue;
+            }
             let result = self.machine.run(expr, n_slots);
             if let Some(value) = self.keep(result) {
                 outputs.push(EffectOutput::Printed(Printed {

@@ -212,7 +212,8 @@ pub use numeric::{
     sample::Sample,
     slope::{Slope, find_slope},
     symmetric_eigen::principal_axes,
-    trajectory::{Trajectory, TrajectoryError, TrajectoryNode, find_trajectory},
+    trajectory::{TrajectoryError, find_trajectory},
+    trajectory_nodes::{Trajectory, TrajectoryNode},
 };
 pub use region::{CornerStyle, Region, RegionError, RegionSide, RegionStrip};
 pub use skin::{

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{
     super::ir::{
         ALL, Arg, Definition, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, ExprKind,
-        Group, Kind, ParamKind, ParamRules, REPORT,
+        Group, Kind, ParamKind, ParamRules, PrintedExpr, REPORT,
     },
     Lowerer,
     block::duplicate,
@@ -347,6 +347,18 @@ impl<'s> Lowerer<'_, 's> {
         }
     }
 
+    /// An expression of a print, which may be broken as a whole, with what it depends on by itself.
+    fn printed(&mut self, expr: &ast::Expr<'s>, is_broken: bool) -> PrintedExpr {
+        let mut others = std::mem::take(&mut self.dependencies);
+        let was_poisoned = std::mem::replace(&mut self.is_poisoned, is_broken);
+        let expr = self.expr(expr);
+        let dependencies = self.dependencies.iter().copied().collect();
+        let is_poisoned = self.is_poisoned;
+        self.dependencies.append(&mut others);
+        self.is_poisoned |= was_poisoned;
+        PrintedExpr { expr, dependencies, is_poisoned }
+    }
+
     fn effect(&mut self, kind: &StatementKind<'s>) -> Option<EffectKind> {
         Some(match kind {
             StatementKind::Check { claim, message } => EffectKind::Check {
@@ -354,7 +366,8 @@ impl<'s> Lowerer<'_, 's> {
                 message: message.as_ref().map(|message| self.expr(message)),
             },
             StatementKind::Print(exprs) => {
-                EffectKind::Print(exprs.iter().map(|expr| self.expr(expr)).collect())
+                let is_broken = self.is_poisoned;
+                EffectKind::Print(exprs.iter().map(|expr| self.printed(expr, is_broken)).collect())
             }
             StatementKind::Export(export) => {
                 let subjects = self.subjects(&export.subjects);

@@ -111,11 +111,21 @@ pub(crate) const TRAJECTORY_REFINEMENTS: usize = 5;
 /// Steps towards least squares, each with as many questions as there are unknowns, twice.
 pub(crate) const LEAST_SQUARES_STEPS: usize = 200;
 
-/// Steps towards a least value under conditions, each with one question for gradients.
-pub(crate) const CONSTRAINED_STEPS: usize = 300;
+/// Steps towards a least value under conditions, each with one question for gradients: valleys that are a million
+/// times as steep across as along take a thousand.
+pub(crate) const CONSTRAINED_STEPS: usize = 5000;
+
+/// Steps of these over which the value has to fall.
+pub(crate) const STALLED_STEPS: usize = 100;
 
 /// Times that one of these steps is shortened.
 pub(crate) const CONSTRAINED_HALVINGS: usize = 40;
+
+/// Times that a place beside conditions is led back onto them, each with one question.
+pub(crate) const CONDITION_CORRECTIONS: usize = 4;
+
+/// Unknowns of such a search whose curvature is looked at where it ends, by half their square of questions at most.
+pub(crate) const CURVATURE_UNKNOWNS: usize = 200;
 
 /// Times that such a search goes on from a better place beside its end, such as beside a saddle.
 pub(crate) const CONSTRAINED_RESTARTS: usize = 4;

@@ -70,7 +70,7 @@ impl<F> CountedFunctions<F> {
     }
 
     /// The gradient of each function at a place: the functions' own, or by differences over a part of each
-    /// unknown's size on both sides, or on one where the other is outside of its bounds.
+    /// unknown's size on both sides, or on one where the other is outside of its bounds or has no value.
     pub(super) fn gradients<E>(
         &mut self,
         place: &[f64],
@@ -98,8 +98,11 @@ impl<F> CountedFunctions<F> {
             beside[k] = high;
             let behind = self.values(&beside)?;
             beside[k] = x;
-            for (gradient, (behind, before)) in gradients.iter_mut().zip(behind.iter().zip(&before))
-            {
+            let sides = behind.iter().zip(&before).zip(&own.values);
+            for (gradient, ((&behind, &before), &here)) in gradients.iter_mut().zip(sides) {
+                // On one side alone where the other has no value.
+                let [low, before] = if before.is_finite() { [low, before] } else { [x, here] };
+                let [high, behind] = if behind.is_finite() { [high, behind] } else { [x, here] };
                 gradient[k] = if low < high { (behind - before) / (high - low) } else { 0.0 };
             }
         }

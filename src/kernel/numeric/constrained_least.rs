@@ -52,7 +52,15 @@ impl LeastProblem<'_> {
         let mut search = LeastSearch::new(*self, &mut asked)?;
         let mut end = search.descend()?;
         let mut n_restarts = 0;
-        while end == LeastEnd::Settled && search.leaves_for_better()? {
+        loop {
+            let goes_on = match end {
+                LeastEnd::Settled => search.leaves_for_better()?,
+                LeastEnd::Contradictory => n_restarts == 0 && search.is_led_back()?,
+                _ => false,
+            };
+            if !goes_on {
+                break;
+            }
             end = match n_restarts {
                 CONSTRAINED_RESTARTS => LeastEnd::Unsettled,
                 _ => search.descend()?,
@@ -150,6 +158,97 @@ mod tests {
         let saddle = |x: &[f64]| vec![libm::pow(x[0], 4.0) - x[0] * x[0] + x[1] * x[1]];
         let beside = found(saddle, &[0.0, 0.5], &[FREE; 2], 0);
         check(&beside, &[beside.unknowns[0].signum() * 0.5_f64.sqrt(), 0.0]);
+    }
+
+    #[test]
+    fn saddles_on_an_axis_of_symmetry_are_left() {
+        let quartic = |x: &[f64]| {
+            let [x, y] = [x[0], x[1]];
+            vec![x * x + y * y + 4.0 * x * y + libm::pow(x, 4.0) + libm::pow(y, 4.0)]
+        };
+        let half = 0.5_f64.sqrt();
+        for bounds in [FREE, [-2.0, 2.0]] {
+            let low = found(quartic, &[1.0, 1.0], &[bounds; 2], 0);
+            let side = low.unknowns[0].signum();
+            check(&low, &[side * half, -side * half]);
+            assert!((low.values[0] + 0.5).abs() < 1e-12, "{low:?}");
+        }
+        // The same without the fourth powers falls without bound.
+        let saddle = |x: &[f64]| vec![x[0] * x[0] + x[1] * x[1] + 4.0 * x[0] * x[1]];
+        for start in [[1.0, 1.0], [0.0, 0.0]] {
+            assert_eq!(found(saddle, &start, &[FREE; 2], 0).end, LeastEnd::Unbounded);
+        }
+        // In a corner, from inside and from the saddle, where it is no flat function.
+        let product = |x: &[f64]| vec![x[0] * x[1]];
+        for start in [[0.5, 0.5], [0.0, 0.0]] {
+            let corner = found(product, &start, &[[-1.0, 1.0]; 2], 0);
+            let side = corner.unknowns[0].signum();
+            check(&corner, &[side, -side]);
+        }
+        let beside = found(product, &[0.0, 0.0], &[[0.0, 1.0], [-1.0, 1.0]], 0);
+        check(&beside, &[1.0, -1.0]);
+        // Nothing curves at the start, and fourth powers fall along a diagonal.
+        let diagonal = |x: &[f64]| vec![libm::pow(x[0] - x[1], 2.0) - libm::pow(x[0] + x[1], 4.0)];
+        let corner = found(diagonal, &[0.5, -0.5], &[[-1.0, 1.0]; 2], 0);
+        assert!((corner.values[0] + 16.0).abs() < 1e-9, "{corner:?}");
+    }
+
+    #[test]
+    fn the_greatest_value_on_a_circle_is_not_taken_for_the_least() {
+        let half = 0.5_f64.sqrt();
+        let sum = |x: &[f64]| vec![x[0] + x[1], x[0] * x[0] + x[1] * x[1] - 1.0];
+        check(&found(sum, &[1.0, 1.0], &[FREE; 2], 1), &[-half, -half]);
+        let height = |x: &[f64]| vec![x[1], x[0] * x[0] + x[1] * x[1] - 1.0];
+        check(&found(height, &[0.0, 1.0], &[FREE; 2], 1), &[0.0, -1.0]);
+        let sphere = |x: &[f64]| vec![x[2], x[0] * x[0] + x[1] * x[1] + x[2] * x[2] - 1.0];
+        check(&found(sphere, &[0.0, 0.0, 1.0], &[FREE; 3], 1), &[0.0, 0.0, -1.0]);
+        // Held off from a circle from outside.
+        let outside = found(height, &[0.0, 2.0], &[[-3.0, 3.0]; 2], 0);
+        assert!((outside.values[0] + 3.0).abs() < 1e-9, "{outside:?}");
+    }
+
+    #[test]
+    fn long_valleys_are_followed_to_their_end() {
+        let end = |factor: f64, start: &[f64]| {
+            let valley = |x: &[f64], _| {
+                let across = x[1] - x[0] * x[0];
+                let along = 1.0 - x[0];
+                let slopes =
+                    vec![-2.0 * along - 4.0 * factor * across * x[0], 2.0 * factor * across];
+                let values = vec![along * along + factor * across * across];
+                Ok::<_, ()>(Answers { values, gradients: Some(vec![slopes]) })
+            };
+            LeastProblem { start, bounds: &[FREE; 2], n_equations: 0 }.find(valley)
+        };
+        for factor in [1e5, 1e6, 1e7, 1e8] {
+            for start in [[-1.2, 1.0], [0.0, 0.0], [-2.0, -2.0], [3.0, -1.0]] {
+                let found = end(factor, &start).expect("no failure");
+                assert_eq!(found.end, LeastEnd::Settled, "{factor}: {found:?}");
+                let is_near = found.unknowns.iter().all(|x| (x - 1.0).abs() < 1e-5);
+                assert!(is_near, "{factor}: {found:?}");
+            }
+        }
+        // One too long for the steps there are is told.
+        let found = end(1e9, &[-1.2, 1.0]).expect("no failure");
+        assert_eq!(found.end, LeastEnd::Unsettled, "{found:?}");
+    }
+
+    #[test]
+    fn conditions_that_nearly_hold_are_led_back_to() {
+        let can = |x: &[f64]| {
+            let value = std::f64::consts::PI * (2.0 + x[0]) * (2.0 + x[1]);
+            vec![value, x[0] * x[0] + x[1] * x[1] - 2.0]
+        };
+        for start in [[-1.3, -0.2], [1.0, 1.1]] {
+            let found = found(can, &start, &[FREE; 2], 1);
+            assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
+            assert!((found.values[0] - std::f64::consts::PI).abs() < 1e-7, "{found:?}");
+        }
+        // Two that contradict one another in their tenth digit.
+        let narrow = |x: &[f64]| vec![x[0] * x[0] + x[1], x[1] - 1.0, 0.999_999_999_9 - x[1]];
+        check(&found(narrow, &[1.0, 1.0], &[FREE; 2], 0), &[0.0, 1.0]);
+        let apart = |x: &[f64]| vec![x[0] * x[0] + x[1], x[1] - 1.0, 0.999_99 - x[1]];
+        assert_eq!(found(apart, &[1.0, 1.0], &[FREE; 2], 0).end, LeastEnd::Contradictory);
     }
 
     #[test]

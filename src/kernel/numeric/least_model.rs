@@ -3,7 +3,7 @@
 //! Nocedal & Wright, *Numerical Optimization*, §18.1 and procedure 18.2.
 
 use super::quadratic_program::{LinearCondition, QuadraticLeast, dot, least_quadratic};
-use crate::tolerance::RELAXATION_WEIGHT;
+use crate::tolerance::{CONDITION_RELATIVE, HOLDING_RELATIVE, RELAXATION_WEIGHT};
 
 /// What is known at a place: the function that is to be least, first, then the conditions.
 pub(super) struct Terms<'a> {
@@ -12,6 +12,13 @@ pub(super) struct Terms<'a> {
     /// How far each unknown may go down and up.
     pub(super) limits: &'a [[f64; 2]],
     pub(super) n_equations: usize,
+}
+
+/// A condition, or a bound behind all conditions, that holds a place from going lower.
+pub(super) struct HoldingCondition {
+    pub(super) idx: usize,
+    pub(super) normal: Vec<f64>,
+    pub(super) multiplier: f64,
 }
 
 /// A step of the model.
@@ -29,6 +36,35 @@ impl Terms<'_> {
     /// How the function changes along a way.
     pub(super) fn slope(&self, way: &[f64]) -> f64 {
         dot(&self.gradients[0], way)
+    }
+
+    /// The shortest way to where the linear conditions hold, with some of them as equations; none where they
+    /// contradict one another.
+    pub(super) fn way_back(&self, held: &[usize]) -> Option<Vec<f64>> {
+        let n = self.limits.len();
+        let mut conditions = self.conditions(self.values);
+        held.iter().for_each(|&idx| conditions[idx].is_equation = true);
+        least_quadratic(&CurvatureModel::new(n).matrix, &vec![0.0; n], &conditions)
+            .map(|found| found.place)
+    }
+
+    /// The conditions that hold a place from going lower, as they count in [`Terms::way_back`], each with its
+    /// slope and by how much it does; none where they contradict one another.
+    pub(super) fn holding(&self) -> Option<Vec<HoldingCondition>> {
+        let conditions = self.conditions(self.values);
+        let matrix = CurvatureModel::new(self.limits.len()).matrix;
+        let found = least_quadratic(&matrix, &self.gradients[0], &conditions)?;
+        let all = conditions.into_iter().zip(found.multipliers).enumerate();
+        let holding = all.filter(|(_, (condition, multiplier))| {
+            let pull = multiplier.abs() * magnitude(&condition.normal);
+            condition.is_equation || HOLDING_RELATIVE < pull
+        });
+        let holding = holding.map(|(idx, (condition, multiplier))| HoldingCondition {
+            idx,
+            normal: condition.normal,
+            multiplier,
+        });
+        Some(holding.collect())
     }
 
     /// The linear conditions, those on the conditions' values first, with `values` at the place.
@@ -77,11 +113,16 @@ impl CurvatureModel {
     pub(super) fn step(&self, terms: &Terms<'_>) -> Option<ModelStep> {
         let n_conditions = terms.values.len() - 1;
         let conditions = terms.conditions(terms.values);
-        if let Some(QuadraticLeast { place: way, mut multipliers }) =
-            least_quadratic(&self.matrix, &terms.gradients[0], &conditions)
-        {
-            multipliers.truncate(n_conditions);
-            return Some(ModelStep { way, multipliers, kept: 1.0, is_relaxed: false });
+        // Conditions that contradict one another by less than what holds are taken as they are.
+        let is_off = |value: &f64| CONDITION_RELATIVE < value.abs();
+        let held = terms.values.iter().map(|value| if is_off(value) { *value } else { 0.0 });
+        for conditions in [&conditions, &terms.conditions(&held.collect::<Vec<f64>>())] {
+            if let Some(QuadraticLeast { place: way, mut multipliers }) =
+                least_quadratic(&self.matrix, &terms.gradients[0], conditions)
+            {
+                multipliers.truncate(n_conditions);
+                return Some(ModelStep { way, multipliers, kept: 1.0, is_relaxed: false });
+            }
         }
         let n = self.matrix.len();
         let most = (0..n).map(|k| self.matrix[k][k]).fold(1.0, f64::max);

@@ -5,37 +5,31 @@
 
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
-    least_model::{CurvatureModel, Terms, magnitude},
+    least_model::{CurvatureModel, ModelStep, Terms, magnitude},
     least_problem::{LeastEnd, LeastProblem},
 };
 use crate::{
-    ceiling::{CONSTRAINED_HALVINGS, CONSTRAINED_STEPS},
+    ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
-        ARMIJO, CONDITION_RELATIVE, LAST_BIT, LEAST_FAR, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE,
-        LEAST_SLOPE_RELATIVE, LEAST_STEP_RELATIVE,
+        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FAR,
+        LEAST_PROBE_RELATIVE, LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
 };
 
 /// A search under way. Unknowns are those of the problem, steps are in units of `units`.
 pub(super) struct LeastSearch<'a, F> {
-    problem: LeastProblem<'a>,
-    asked: &'a mut CountedFunctions<F>,
+    pub(super) problem: LeastProblem<'a>,
+    pub(super) asked: &'a mut CountedFunctions<F>,
     /// A typical size of each unknown.
-    units: Vec<f64>,
+    pub(super) units: Vec<f64>,
     /// What each function counts with: its steepness at the start is one.
     weights: Vec<f64>,
     pub(super) place: Vec<f64>,
     pub(super) values: Vec<f64>,
     /// The weight of each broken condition.
-    penalties: Vec<f64>,
-}
-
-/// A place beside the best one, with the merit on the other side of that.
-struct BestBeside {
-    merit: f64,
-    opposite: f64,
-    place: Vec<f64>,
-    values: Vec<f64>,
+    pub(super) penalties: Vec<f64>,
+    /// The weighted gradients at the place where the steps ended.
+    pub(super) slopes: Vec<Vec<f64>>,
 }
 
 impl<'a, F, E> LeastSearch<'a, F>
@@ -66,6 +60,7 @@ where
             place,
             values,
             penalties: vec![0.0; n_conditions],
+            slopes: Vec::new(),
         };
         let gradients = search.gradients()?;
         for (idx, gradient) in gradients.iter().enumerate() {
@@ -79,7 +74,12 @@ where
 
     /// Gradients of the weighted functions by the unknowns in their units.
     fn gradients(&mut self) -> Result<Vec<Vec<f64>>, E> {
-        let mut gradients = self.asked.gradients(&self.place, self.problem.bounds)?;
+        self.gradients_at(&self.place.clone())
+    }
+
+    /// Those at any place.
+    pub(super) fn gradients_at(&mut self, place: &[f64]) -> Result<Vec<Vec<f64>>, E> {
+        let mut gradients = self.asked.gradients(place, self.problem.bounds)?;
         for (gradient, weight) in gradients.iter_mut().zip(&self.weights) {
             for (slope, unit) in gradient.iter_mut().zip(&self.units) {
                 *slope *= unit * weight;
@@ -88,12 +88,12 @@ where
         Ok(gradients)
     }
 
-    fn weighted(&self, values: &[f64]) -> Vec<f64> {
+    pub(super) fn weighted(&self, values: &[f64]) -> Vec<f64> {
         values.iter().zip(&self.weights).map(|(value, weight)| value * weight).collect()
     }
 
     /// The value with a penalty on each broken condition.
-    fn merit(&self, values: &[f64]) -> f64 {
+    pub(super) fn merit(&self, values: &[f64]) -> f64 {
         if !values.iter().all(|value| value.is_finite()) {
             return f64::INFINITY;
         }
@@ -108,7 +108,7 @@ where
     }
 
     /// The place after a step, inside the bounds, and the values there.
-    fn moved(&mut self, step: &[f64], share: f64) -> Result<(Vec<f64>, Vec<f64>), E> {
+    pub(super) fn moved(&mut self, step: &[f64], share: f64) -> Result<(Vec<f64>, Vec<f64>), E> {
         let parts = step.iter().zip(&self.units).map(|(part, unit)| share * part * unit);
         let place: Vec<f64> = self.place.iter().zip(parts).map(|(x, part)| x + part).collect();
         let place = clamped(&place, self.problem.bounds);
@@ -123,28 +123,27 @@ where
             return Ok(LeastEnd::Flat);
         }
         let mut model = CurvatureModel::new(self.place.len());
-        for _ in 0..CONSTRAINED_STEPS {
-            let room =
-                |[low, high]: &[f64; 2], x: &f64, unit: &f64| [(low - x) / unit, (high - x) / unit];
-            let limits: Vec<[f64; 2]> = (self.problem.bounds.iter())
-                .zip(&self.place)
-                .zip(&self.units)
-                .map(|((bounds, x), unit)| room(bounds, x, unit))
-                .collect();
+        let mut merit_before = f64::INFINITY;
+        for n_steps in 0..CONSTRAINED_STEPS {
+            // Among the roundings of differences it may go down for ever.
+            if n_steps % STALLED_STEPS == 0 {
+                let merit = self.merit(&self.values);
+                let fall = merit_before - merit;
+                if fall <= LEAST_STALL_RELATIVE && fall <= LEAST_STALL_SHARE * merit.abs() {
+                    return self.ended(gradients);
+                }
+                merit_before = merit;
+            }
+            let limits = self.limits(&self.place);
             let values = self.weighted(&self.values);
             let n_equations = self.problem.n_equations;
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
-            let Some(step) = model.step(&terms) else { return Ok(self.ended()) };
+            let Some(step) = model.step(&terms) else { return self.ended(gradients) };
             if magnitude(&step.way) <= LEAST_STEP_RELATIVE {
-                return Ok(self.ended());
+                return self.ended(gradients);
             }
-            for (penalty, multiplier) in self.penalties.iter_mut().zip(&step.multipliers) {
-                *penalty = multiplier.abs().max(0.5 * (*penalty + multiplier.abs()));
-                if step.is_relaxed {
-                    *penalty = penalty.max(1.0) * 10.0;
-                }
-            }
+            self.weigh_conditions(&step);
             let broken: f64 = self
                 .problem
                 .broken(&values)
@@ -154,11 +153,11 @@ where
             let slope = terms.slope(&step.way) - broken;
             let merit = self.merit(&self.values);
             if -slope <= LAST_BIT * merit.abs() {
-                return Ok(self.ended());
+                return self.ended(gradients);
             }
             let Some((place, values)) = self.shortened(&terms, &model, &step.way, slope)? else {
                 if model.is_fresh() {
-                    return Ok(self.ended());
+                    return self.ended(gradients);
                 }
                 model = CurvatureModel::new(self.place.len());
                 continue;
@@ -175,7 +174,19 @@ where
             model.learn(&way, [&gradients, &behind], &step.multipliers);
             gradients = behind;
         }
-        Ok(self.ended())
+        self.slopes = gradients;
+        Ok(LeastEnd::Unsettled)
+    }
+
+    /// Lets each broken condition count by as much as it holds a step off, and for more and more where the conditions
+    /// contradict one another.
+    fn weigh_conditions(&mut self, step: &ModelStep) {
+        for (penalty, multiplier) in self.penalties.iter_mut().zip(&step.multipliers) {
+            *penalty = multiplier.abs().max(0.5 * (*penalty + multiplier.abs()));
+            if step.is_relaxed {
+                *penalty = penalty.max(1.0) * 10.0;
+            }
+        }
     }
 
     /// How far along a step the penalized value falls enough; none where it does nowhere.
@@ -219,70 +230,93 @@ where
         Ok(None)
     }
 
-    fn is_allowed(&self) -> bool {
-        self.most_broken() <= CONDITION_RELATIVE
+    /// How far each unknown may go down and up from a place.
+    pub(super) fn limits(&self, place: &[f64]) -> Vec<[f64; 2]> {
+        let sides = self.problem.bounds.iter().zip(place).zip(&self.units);
+        sides.map(|(([low, high], x), unit)| [(low - x) / unit, (high - x) / unit]).collect()
     }
 
-    fn ended(&self) -> LeastEnd {
-        if self.is_allowed() { LeastEnd::Settled } else { LeastEnd::Contradictory }
+    /// How it ends where no step leads further, with the place led back onto conditions that nearly hold.
+    fn ended(&mut self, gradients: Vec<Vec<f64>>) -> Result<LeastEnd, E> {
+        self.slopes = gradients;
+        Ok(match self.most_broken() {
+            off if CONTRADICTION_RELATIVE < off => LeastEnd::Contradictory,
+            _ if self.holds(CONDITION_RELATIVE)? => LeastEnd::Settled,
+            _ => LeastEnd::Unsettled,
+        })
     }
 
-    /// The best of the places a little before and behind in each unknown.
-    fn best_beside(&mut self) -> Result<Option<BestBeside>, E> {
-        let mut best: Option<BestBeside> = None;
-        for k in 0..self.place.len() {
-            let mut side = |side: f64| {
-                let mut step = vec![0.0; self.place.len()];
-                step[k] = side;
-                self.moved(&step, 1.0)
-            };
-            let sides = [side(-LEAST_PROBE_RELATIVE)?, side(LEAST_PROBE_RELATIVE)?];
-            let merits = sides.each_ref().map(|(_, values)| self.merit(values));
-            for (own, (place, values)) in sides.into_iter().enumerate() {
-                let (merit, opposite) = (merits[own], merits[1 - own]);
-                if best.as_ref().is_none_or(|best| merit < best.merit) {
-                    best = Some(BestBeside { merit, opposite, place, values });
-                }
+    /// Whether the conditions hold where it ended, or where it is led back onto them; a search from there goes on
+    /// where it was led back far.
+    pub(super) fn is_led_back(&mut self) -> Result<bool, E> {
+        self.holds(CONTRADICTION_RELATIVE)
+    }
+
+    /// Whether the conditions hold to a fraction, here or where the place is led back onto them.
+    fn holds(&mut self, fraction: f64) -> Result<bool, E> {
+        let before = (self.place.clone(), self.values.clone());
+        for _ in 0..CONDITION_CORRECTIONS {
+            let off = self.most_broken();
+            if off <= fraction {
+                return Ok(true);
+            }
+            let still = vec![0.0; self.place.len()];
+            let Some((place, values)) = self.led_back(&still, &[])? else { break };
+            if !self.merit(&values).is_finite() {
+                break;
+            }
+            (self.place, self.values) = (place, values);
+            if off <= self.most_broken() {
+                break;
             }
         }
-        Ok(best)
+        let is_held = self.most_broken() <= fraction;
+        if !is_held {
+            (self.place, self.values) = before;
+        }
+        Ok(is_held)
     }
 
-    /// Whether the function is the same on both sides in each unknown.
+    /// The place a step away, and back by the shortest way to where the conditions hold, by their slopes here;
+    /// those that are held are to be zero. None where they contradict one another.
+    pub(super) fn led_back(
+        &mut self,
+        step: &[f64],
+        held: &[usize],
+    ) -> Result<Option<(Vec<f64>, Vec<f64>)>, E> {
+        let (place, values) = self.moved(step, 1.0)?;
+        let terms = Terms {
+            gradients: &self.slopes,
+            values: &self.weighted(&values),
+            limits: &self.limits(&place),
+            n_equations: self.problem.n_equations,
+        };
+        let Some(back) = terms.way_back(held) else { return Ok(None) };
+        let taken = place.iter().zip(&self.place).zip(&self.units);
+        let way: Vec<f64> =
+            taken.zip(&back).map(|(((x, from), unit), back)| (x - from) / unit + back).collect();
+        self.moved(&way, 1.0).map(Some)
+    }
+
+    /// Whether the function is the same on both sides in each unknown, and by two oblique ways as well.
     fn is_flat(&mut self) -> Result<bool, E> {
-        for k in 0..self.place.len() {
+        let n = self.place.len();
+        let along = (0..n).map(|k| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect());
+        let oblique = [2.0, 3.0].map(|turn| (0..n).map(|k| libm::cos(turn * k as f64)).collect());
+        let ways: Vec<Vec<f64>> = along.chain(oblique).collect();
+        for way in &ways {
             for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
-                let mut step = vec![0.0; self.place.len()];
-                step[k] = side;
                 #[expect(clippy::float_cmp, reason = "a flat function yields one number")]
-                if self.moved(&step, 1.0)?.1[0] != self.values[0] {
+                if self.moved(way, side)?.1[0] != self.values[0] {
                     return Ok(false);
                 }
             }
         }
         Ok(true)
     }
-
-    /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
-    pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
-        self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
-        let merit = self.merit(&self.values);
-        let Some(BestBeside { merit: least, opposite, place, values }) = self.best_beside()? else {
-            return Ok(false);
-        };
-        // Down on one side by about as much as up on the other: a slope, however small.
-        let (fall, rise) = (merit - least, opposite - merit);
-        let is_slope =
-            LEAST_SLOPE_RELATIVE * merit.abs() < fall && rise < 2.0 * fall && fall < 2.0 * rise;
-        let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
-        if is_better {
-            (self.place, self.values) = (place, values);
-        }
-        Ok(is_better)
-    }
 }
 
 /// Numbers brought between their bounds.
-fn clamped(place: &[f64], bounds: &[[f64; 2]]) -> Vec<f64> {
+pub(super) fn clamped(place: &[f64], bounds: &[[f64; 2]]) -> Vec<f64> {
     place.iter().zip(bounds).map(|(x, [low, high])| x.max(*low).min(*high)).collect()
 }

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     ceiling::LEAST_SQUARES_STEPS,
-    tolerance::{DAMPING_FIRST, STEP_REST_RELATIVE},
+    tolerance::{DAMPING_FIRST, SQUARES_AT_ROOT, SQUARES_IN_VALLEY, STEP_REST_RELATIVE},
 };
 
 /// Where an iteration towards the least squares ended.
@@ -62,51 +62,131 @@ pub fn find_least_squares<E>(
     functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     start: &[f64],
 ) -> Result<LeastSquares, E> {
-    let mut asked = CountedFunctions::new(functions);
-    let mut unknowns = start.to_vec();
-    let mut residuals = asked.values(&unknowns)?;
-    let first_residuals = residuals.clone();
-    let mut damping = DAMPING_FIRST;
-    let mut is_settled = false;
-    let mut newton = None;
-    for _ in 0..LEAST_SQUARES_STEPS {
-        let square = squares(&residuals);
-        if square <= 0.0 {
-            (is_settled, newton) = (true, None);
+    let mut search = SquaresSearch::new(functions, start)?;
+    let mut way = search.go_on()?;
+    for _ in 0..LEAPS {
+        // What tends to zero, as an exponential does, would be followed until it is none.
+        let is_near =
+            squares(&search.residuals) <= SQUARES_IN_VALLEY * squares(&search.first_residuals);
+        let left = if is_near { SQUARES_AT_ROOT } else { LEFT_BY_LEAP };
+        if way.is_ended || !search.leaps(left)? {
             break;
         }
-        let gradients = asked.gradients(&unknowns, &[])?;
-        let equations = NormalEquations::new(&gradients, &residuals);
-        // The damping grows until a step leads down, or is none any more.
-        let accepted = loop {
-            let step = equations.step(damping);
-            let moved: Vec<f64> = unknowns.iter().zip(&step).map(|(x, step)| x + step).collect();
-            if !is_moved(&unknowns, &step) {
-                break None;
-            }
-            let values = asked.values(&moved)?;
-            if squares(&values) < square {
-                break Some((moved, values, step));
-            }
-            damping *= 8.0;
-        };
-        newton = Some((gradients, residuals.clone()));
-        let Some((moved, values, step)) = accepted else {
-            is_settled = true;
-            break;
-        };
-        damping = (damping / 16.0).max(f64::MIN_POSITIVE);
-        is_settled = !is_moved(&moved, &step);
-        (unknowns, residuals) = (moved, values);
-        if is_settled {
-            break;
-        }
+        way = search.go_on()?;
     }
-    let n_evaluations = asked.n_evaluations;
-    let way: Vec<f64> = unknowns.iter().zip(start).map(|(x, start)| x - start).collect();
-    let size = largest(&unknowns).max(largest(&way)).max(f64::MIN_POSITIVE);
-    let rest = newton.map_or(0.0, |(slopes, values)| newton_step(&slopes, &values) / size);
+    let SquaresSearch { asked, unknowns, residuals, first_residuals, .. } = search;
+    let moved: Vec<f64> = unknowns.iter().zip(start).map(|(x, start)| x - start).collect();
+    let size = largest(&unknowns).max(largest(&moved)).max(f64::MIN_POSITIVE);
+    let rest = way.last.map_or(0.0, |(slopes, values)| newton_step(&slopes, &values) / size);
+    let (is_settled, n_evaluations) = (way.is_settled, asked.n_evaluations);
     Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, rest, n_evaluations })
+}
+
+/// Times that a search goes on from where Newton's steps lead out of a narrow valley.
+const LEAPS: usize = 4;
+
+/// Newton's steps of one of these: along a valley that bends the first leads away from its bottom, and the second back.
+const LEAP_STEPS: usize = 6;
+
+/// The share of the squares that may be left behind them.
+const LEFT_BY_LEAP: f64 = 0.25;
+
+/// A search under way.
+struct SquaresSearch<F> {
+    asked: CountedFunctions<F>,
+    unknowns: Vec<f64>,
+    residuals: Vec<f64>,
+    first_residuals: Vec<f64>,
+}
+
+/// How a search went.
+struct Way {
+    is_settled: bool,
+    /// Whether it went as far as it goes: not where its steps ran out.
+    is_ended: bool,
+    /// The gradients and values where the last step was taken; none at a root.
+    last: Option<(Vec<Vec<f64>>, Vec<f64>)>,
+}
+
+impl<F, E> SquaresSearch<F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    fn new(functions: F, start: &[f64]) -> Result<Self, E> {
+        let mut asked = CountedFunctions::new(functions);
+        let residuals = asked.values(start)?;
+        let first_residuals = residuals.clone();
+        Ok(Self { asked, unknowns: start.to_vec(), residuals, first_residuals })
+    }
+
+    /// Damped steps, each of which leads down.
+    fn go_on(&mut self) -> Result<Way, E> {
+        let mut damping = DAMPING_FIRST;
+        let mut way = Way { is_settled: false, is_ended: true, last: None };
+        for _ in 0..LEAST_SQUARES_STEPS {
+            let square = squares(&self.residuals);
+            if square <= 0.0 {
+                return Ok(Way { is_settled: true, is_ended: true, last: None });
+            }
+            let gradients = self.asked.gradients(&self.unknowns, &[])?;
+            let is_known = gradients.iter().flatten().all(|slope| slope.is_finite());
+            let equations = NormalEquations::new(&gradients, &self.residuals);
+            way.last = Some((gradients, self.residuals.clone()));
+            if !is_known {
+                // Differences that reach to where there is no value.
+                return Ok(way);
+            }
+            // The damping grows until a step leads down, or is none any more.
+            let accepted = loop {
+                let step = equations.step(damping);
+                if !is_moved(&self.unknowns, &step) {
+                    break None;
+                }
+                let moved = plus(&self.unknowns, &step);
+                let values = self.asked.values(&moved)?;
+                if squares(&values) < square {
+                    break Some((moved, values, step));
+                }
+                damping *= 8.0;
+            };
+            let Some((moved, values, step)) = accepted else {
+                way.is_settled = true;
+                return Ok(way);
+            };
+            damping = (damping / 16.0).max(f64::MIN_POSITIVE);
+            way.is_settled = !is_moved(&moved, &step);
+            (self.unknowns, self.residuals) = (moved, values);
+            if way.is_settled {
+                return Ok(way);
+            }
+        }
+        way.is_ended = false;
+        Ok(way)
+    }
+
+    /// Goes to where steps of Newton lead, up and down, if no more than a share of the squares is left there.
+    fn leaps(&mut self, left: f64) -> Result<bool, E> {
+        let (mut unknowns, mut residuals) = (self.unknowns.clone(), self.residuals.clone());
+        let most = left * squares(&residuals);
+        for _ in 0..LEAP_STEPS {
+            let gradients = self.asked.gradients(&unknowns, &[])?;
+            let step = NormalEquations::new(&gradients, &residuals).step(STEP_REST_RELATIVE);
+            unknowns = plus(&unknowns, &step);
+            residuals = self.asked.values(&unknowns)?;
+            if squares(&residuals) <= most {
+                (self.unknowns, self.residuals) = (unknowns, residuals);
+                return Ok(true);
+            }
+            if !squares(&residuals).is_finite() {
+                break;
+            }
+        }
+        Ok(false)
+    }
+}
+
+fn plus(unknowns: &[f64], step: &[f64]) -> Vec<f64> {
+    unknowns.iter().zip(step).map(|(x, step)| x + step).collect()
 }
 
 fn largest(all: &[f64]) -> f64 {
@@ -123,7 +203,8 @@ fn newton_step(gradients: &[Vec<f64>], residuals: &[f64]) -> f64 {
     let unit = |all: &[f64]| all.iter().map(|part| part / steepest).collect::<Vec<f64>>();
     let (gradients, residuals): (Vec<Vec<f64>>, _) =
         (gradients.iter().map(|gradient| unit(gradient)).collect(), unit(residuals));
-    match largest(&residuals).is_finite() {
+    let is_known = gradients.iter().flatten().all(|slope| slope.is_finite());
+    match is_known && largest(&residuals).is_finite() {
         true => largest(&NormalEquations::new(&gradients, &residuals).step(STEP_REST_RELATIVE)),
         false => f64::INFINITY,
     }
@@ -206,8 +287,27 @@ mod tests {
         let valley = found(|x| vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]], &[-1.2, 1.0]);
         assert!(valley.unknowns.iter().all(|x| (x - 1.0).abs() < 1e-12), "{valley:?}");
         assert!(valley.n_evaluations < 400, "{}", valley.n_evaluations);
+        // A hundred times as narrow, and more, which is left by steps that go up first; there differences have fewer
+        // digits.
+        let near = |found: &LeastSquares, room| {
+            assert!(found.unknowns.iter().all(|x| (x - 1.0).abs() < room), "{found:?}");
+        };
+        near(&found(|x| vec![1e3 * (x[1] - x[0] * x[0]), 1.0 - x[0]], &[-1.2, 1.0]), 1e-12);
+        near(&found(|x| vec![1e6 * (x[1] - x[0] * x[0]), 1.0 - x[0]], &[-1.2, 1.0]), 1e-7);
         let one = found(|x| vec![libm::exp(x[0]) - 1e-3], &[1.0]);
         assert!((one.unknowns[0] - libm::log(1e-3)).abs() < 1e-12, "{one:?}");
+    }
+
+    #[test]
+    fn places_without_a_value_are_kept_out_of() {
+        let large = found(|x| vec![libm::exp(x[0]) - 1e3, x[1] - x[0]], &[0.0, 0.0]);
+        assert!(large.unknowns.iter().all(|x| (x - libm::log(1e3)).abs() < 1e-12), "{large:?}");
+        // Beyond 1 there is none, and the first step leads there.
+        let arc = found(|x| vec![libm::acos(x[0]) - 0.001], &[0.0]);
+        assert!((arc.unknowns[0] - libm::cos(0.001)).abs() < 1e-15, "{arc:?}");
+        // At the end of its places it is not settled, so that more functions than unknowns are not taken for solved.
+        let end = found(|x| vec![(-x[0]).sqrt() + 1.0, 0.5], &[-1.0]);
+        assert!(!end.is_settled || 1e-3 < end.rest || end.unknowns[0].abs() < 1e-9, "{end:?}");
     }
 
     #[test]

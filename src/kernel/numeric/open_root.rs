@@ -6,7 +6,7 @@ use super::{
 };
 use crate::{
     ceiling::BISECTIONS,
-    tolerance::{LAST_BIT, OPEN_WIDTH_RELATIVE, ROOT_RELATIVE},
+    tolerance::{LAST_BIT, OPEN_WIDTH_RELATIVE, PROOF_WIDTH_RELATIVE, ROOT_RELATIVE},
 };
 
 /// A root that no bracket proves.
@@ -22,7 +22,7 @@ pub(super) struct OpenRoot {
 ///
 /// No sample tells where a function only touches zero at a place between two numbers of the computer. There its slope
 /// changes its sign, and its bounds about that place, as far as rounding moves it in the whole, hold zero. What is zero as far as rounding tells all along a part
-/// that is narrow beside the whole is one root, in its middle.
+/// that is narrow beside the whole is one root, in its middle. A pole or a step in the narrowest parts is none.
 ///
 /// # Errors
 /// Those of the function; a jump over zero; a stretch along which it is zero.
@@ -34,6 +34,7 @@ pub(super) fn roots_in_open<E>(
 ) -> Result<Vec<OpenRoot>, RootError<E>> {
     let [low, high] = interval;
     let is_narrow = high - low <= OPEN_WIDTH_RELATIVE * whole;
+    let is_narrowest = high - low <= PARTS_OF_STEP * PROOF_WIDTH_RELATIVE * whole;
     let rest = resting_place(bounds, interval);
     let around =
         |at: f64| [at - LAST_BIT * whole, at + LAST_BIT * whole].map(|at| at.clamp(low, high));
@@ -69,11 +70,33 @@ pub(super) fn roots_in_open<E>(
                 roots.push(OpenRoot { sample, is_at_rest: false });
             }
             (Err(RootError::NoRoot { .. }), None) => {}
+            (Err(RootError::Jump { sides }), None)
+                if is_narrowest && is_step(function, part, sides)? => {}
             (Err(other), None) => return Err(other),
         }
     }
     Ok(roots)
 }
+
+/// Whether a function jumps over zero between two neighbours: its size stays towards these from the ends of an interval
+/// around them, or grows, where towards a steep root it becomes less.
+fn is_step<E>(
+    function: &mut impl FnMut(f64) -> Result<f64, E>,
+    [low, high]: [f64; 2],
+    [before, behind]: [Sample; 2],
+) -> Result<bool, E> {
+    if before.at <= low || high <= behind.at {
+        return Ok(false);
+    }
+    let stays = |end: f64, side: f64| SHARE_OF_STEP * end.abs() <= side.abs();
+    Ok(stays(function(low)?, before.value) && stays(function(high)?, behind.value))
+}
+
+/// Parts that are not divided further, and left open together around a step.
+const PARTS_OF_STEP: f64 = 8.0;
+
+/// The share of a function's size beside a step that it has at it.
+const SHARE_OF_STEP: f64 = 0.9;
 
 /// Roots in order, of which those are one between which the function is zero as far as rounding tells: where it is at
 /// rest if it is anywhere, else the one in their middle.

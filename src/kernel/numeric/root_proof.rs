@@ -222,6 +222,11 @@ mod tests {
         is(roots(pair, |x| (x - 0.3) * (x - 0.3 - 1e-13)), &[0.3, 0.3 + 1e-13], 1e-15);
         let pole = |x: Enclosure| constant(1.0).over(&x.plus(&constant(-0.3)).power(2.0)?);
         is(roots(pole, |x| 1.0 / ((x - 0.3) * (x - 0.3))), &[], 0.0);
+        // A pole over which the sign changes, beside a root.
+        let odd = |x: Enclosure| {
+            Some(constant(1.0).over(&x.plus(&constant(-0.3)))?.plus(&constant(-2.0)))
+        };
+        is(roots(odd, |x| 1.0 / (x - 0.3) - 2.0), &[0.8], 1e-15);
     }
 
     #[test]

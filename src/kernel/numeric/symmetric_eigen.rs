@@ -35,6 +35,45 @@ pub fn principal_axes(matrix: DMat3) -> [(f64, DVec3); 3] {
     pairs
 }
 
+/// The eigenvalues of a symmetric matrix of any size in ascending order, with unit eigenvectors: Jacobi's rotations.
+///
+/// O(n³) in each of some eight sweeps. Golub & Van Loan, *Matrix Computations*, §8.5.
+pub(super) fn symmetric_axes(mut matrix: Vec<Vec<f64>>) -> Vec<(f64, Vec<f64>)> {
+    let n = matrix.len();
+    let mut axes: Vec<Vec<f64>> =
+        (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
+    for _ in 0..SWEEPS {
+        for (p, q) in (0..n).flat_map(|p| (p + 1..n).map(move |q| (p, q))) {
+            let off = matrix[p][q];
+            if off.abs() <= 0.0 {
+                continue;
+            }
+            let turn = rotation([matrix[p][p], off, matrix[q][q]]);
+            rotate(&mut matrix, [p, q], turn);
+            for row in &mut matrix {
+                (row[p], row[q]) = turned([row[p], row[q]], turn);
+            }
+            rotate(&mut axes, [p, q], turn);
+        }
+    }
+    let mut pairs: Vec<(f64, Vec<f64>)> =
+        axes.into_iter().enumerate().map(|(i, axis)| (matrix[i][i], axis)).collect();
+    sort_by(&mut pairs, |a, b| a.0.total_cmp(&b.0));
+    pairs
+}
+
+/// Two rows in the place of which what a rotation makes of them comes.
+fn rotate(rows: &mut [Vec<f64>], [p, q]: [usize; 2], turn: [f64; 2]) {
+    let (before, behind) = rows.split_at_mut(q);
+    for (first, second) in before[p].iter_mut().zip(&mut behind[0]) {
+        (*first, *second) = turned([*first, *second], turn);
+    }
+}
+
+fn turned([first, second]: [f64; 2], [cosine, sine]: [f64; 2]) -> (f64, f64) {
+    (cosine * first - sine * second, sine * first + cosine * second)
+}
+
 /// The eigenvalues of a symmetric matrix with unit eigenvectors, the smaller one by size first: the
 /// rotation that makes it diagonal, by its angle.
 ///
@@ -64,7 +103,7 @@ pub(super) fn rotation([a, b, c]: [f64; 3]) -> [f64; 2] {
 mod tests {
     use glam::{DMat2, DMat3, DVec2, DVec3};
 
-    use super::{eigen_of_two, principal_axes, rotation};
+    use super::{eigen_of_two, principal_axes, rotation, symmetric_axes};
 
     #[test]
     fn eigenvectors_keep_their_direction_and_are_right_handed() {
@@ -81,6 +120,27 @@ mod tests {
         assert!((turned.determinant() - 1.0).abs() < 1e-15);
         let trace: f64 = found.iter().map(|(value, _)| value).sum();
         assert!((trace + 1.0).abs() < 1e-14, "{trace}");
+    }
+
+    #[test]
+    fn axes_of_any_number_are_those_of_second_differences() {
+        // The eigenvalues of second differences are 2 − 2 cos(kπ/(n + 1)).
+        let n = 9;
+        let entry = |i: usize, j: usize| match i.abs_diff(j) {
+            0 => 2.0,
+            1 => -1.0,
+            _ => 0.0,
+        };
+        let matrix: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| entry(i, j)).collect()).collect();
+        for (k, (value, axis)) in symmetric_axes(matrix.clone()).iter().enumerate() {
+            let turn = std::f64::consts::PI * (k as f64 + 1.0) / (n as f64 + 1.0);
+            assert!((value - (2.0 - 2.0 * libm::cos(turn))).abs() < 1e-14, "{value}");
+            for (row, part) in matrix.iter().zip(axis) {
+                let image: f64 = row.iter().zip(axis).map(|(a, b)| a * b).sum();
+                assert!((image - value * part).abs() < 1e-14, "{image} {part}");
+            }
+        }
+        assert_eq!(symmetric_axes(Vec::new()), Vec::new());
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! What a state comes to that changes at a known rate: initial values of ordinary differential equations.
 
-use super::dormand_prince::{Step, Trial};
+use super::{
+    dormand_prince::{Step, Trial},
+    trajectory_nodes::{Trajectory, TrajectoryNode},
+};
 use crate::{
     ceiling::{TRAJECTORY_REFINEMENTS, TRAJECTORY_STEPS},
     tolerance::{
@@ -9,49 +12,6 @@ use crate::{
     },
     work,
 };
-
-/// A state over a range: between its nodes the quintics that have its value and two derivatives there.
-///
-/// ```
-/// use virote_kernel::{TrajectoryError, find_trajectory};
-///
-/// // y' = y grows to e.
-/// let found = find_trajectory(|_, y| Ok::<_, ()>(y.to_vec()), &[1.0], [0.0, 1.0], 1e-9)?;
-/// assert!((found.at(1.0)[0] - std::f64::consts::E).abs() < 1e-9);
-/// assert!(found.error < 1e-9);
-/// # Ok::<(), TrajectoryError<()>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Trajectory {
-    /// Two or more, in the order of the range.
-    pub nodes: Vec<TrajectoryNode>,
-    /// How far it is at most from one with larger errors in each step: more than it is off by itself.
-    pub error: f64,
-    /// How often the rate was asked for.
-    pub n_evaluations: usize,
-}
-
-/// A place of a trajectory.
-///
-/// ```
-/// use virote_kernel::{TrajectoryError, TrajectoryNode, find_trajectory};
-///
-/// let found = find_trajectory(|t, _| Ok::<_, ()>(vec![2.0 * t]), &[0.0], [0.0, 1.0], 1e-9)?;
-/// let TrajectoryNode { place, rate, second, .. } = &found.nodes[1];
-/// assert!((rate[0] - 2.0 * place).abs() < 1e-12 && (second[0] - 2.0).abs() < 1e-9);
-/// # Ok::<(), TrajectoryError<()>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct TrajectoryNode {
-    /// Where in the range.
-    pub place: f64,
-    /// The state.
-    pub state: Vec<f64>,
-    /// Its first derivative.
-    pub rate: Vec<f64>,
-    /// Its second derivative.
-    pub second: Vec<f64>,
-}
 
 /// Why there is no trajectory.
 ///
@@ -92,6 +52,9 @@ pub enum TrajectoryError<E> {
 /// Steps at least, so that none passes over what happens in its midst.
 const LEAST_STEPS: f64 = 16.0;
 
+/// The same where a look between the places of such steps shows that one did: as short as the looks are apart.
+const FINER_STEPS: f64 = 100.0;
+
 /// Numbers between the ends of a step at least: the places inside are no longer apart in less.
 const LEAST_SPACINGS: f64 = 64.0;
 
@@ -100,8 +63,9 @@ const LEAST_SPACINGS: f64 = 64.0;
 /// of its size if that is more, as far as two trajectories tell of which one has far smaller errors in each
 /// step.
 ///
-/// Dormand & Prince's method of order five, with steps that keep its difference from order four small.
-/// A step at whose places the function fails is tried again shorter. Hairer, Nørsett & Wanner, *Solving
+/// Dormand & Prince's method of order five, with steps that keep its difference from order four small. The rate
+/// is looked at between their places as well, a hundredth of the range apart, and where it is another one there steps
+/// are no longer than that. A step at whose places the function fails is tried again shorter. Hairer, Nørsett & Wanner, *Solving
 /// Ordinary Differential Equations I*, §II.4, §II.5; *II*, §IV.2 for stiffness.
 ///
 /// ```
@@ -128,19 +92,34 @@ pub fn find_trajectory<E>(
         n_evaluations += 1;
         rate(place, state)
     };
+    let mut found = settled(&mut rate, start, range, [tolerance, LEAST_STEPS])?;
+    if found.overlooks(&mut rate, range, tolerance) {
+        found = settled(&mut rate, start, range, [tolerance, FINER_STEPS])?;
+    }
+    found.n_evaluations = n_evaluations;
+    Ok(found)
+}
+
+/// The trajectory that stays the same with smaller errors in each of so many steps or more.
+fn settled<E>(
+    rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+    start: &[f64],
+    range: [f64; 2],
+    [tolerance, least_steps]: [f64; 2],
+) -> Result<Trajectory, TrajectoryError<E>> {
     let mut share = TRAJECTORY_FIRST_SHARE;
-    let mut coarse = trajectory(&mut rate, start, range, [tolerance, share])?;
+    let mut coarse = trajectory(rate, start, range, [tolerance, share, least_steps])?;
     let (mut at, mut error) = (range[0], f64::INFINITY);
     for _ in 0..TRAJECTORY_REFINEMENTS {
         share *= TRAJECTORY_REFINEMENT;
-        let mut fine = match trajectory(&mut rate, start, range, [tolerance, share]) {
+        let mut fine = match trajectory(rate, start, range, [tolerance, share, least_steps]) {
             Err(TrajectoryError::Long { .. }) if error.is_finite() => break,
             found => found?,
         };
         let size;
         (at, error, size) = coarse.apart(&fine);
         if error <= tolerance.max(TRAJECTORY_RELATIVE * size) {
-            (fine.error, fine.n_evaluations) = (error, n_evaluations);
+            fine.error = error;
             return Ok(fine);
         }
         coarse = fine;
@@ -153,9 +132,9 @@ fn trajectory<E>(
     rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
     start: &[f64],
     [from, to]: [f64; 2],
-    [tolerance, share]: [f64; 2],
+    [tolerance, share, least_steps]: [f64; 3],
 ) -> Result<Trajectory, TrajectoryError<E>> {
-    let most = (to - from) / LEAST_STEPS;
+    let most = (to - from) / least_steps;
     let beside = from.abs().max(to.abs());
     let spacing = beside.next_up() - beside;
     let least = (TRAJECTORY_STEP_RELATIVE * (to - from)).max(LEAST_SPACINGS * spacing);
@@ -260,64 +239,73 @@ fn with_second_derivatives<E>(
     Ok(Trajectory { nodes, error: 0.0, n_evaluations: 0 })
 }
 
+/// Between these parts of a step its places are farther apart than behind them; that at a fifth counts for no state.
+const GAPS: [[f64; 2]; 2] = [[0.0, 0.3], [0.3, 0.8]];
+
 impl Trajectory {
-    /// The state at a place; beyond the range the first and last quintic go on.
-    #[must_use]
-    pub fn at(&self, place: f64) -> Vec<f64> {
-        let behind = self.nodes.partition_point(|node| node.place <= place);
-        let behind = behind.clamp(1, self.nodes.len() - 1);
-        let (a, b) = (&self.nodes[behind - 1], &self.nodes[behind]);
-        let width = b.place - a.place;
-        let s = (place - a.place) / width;
-        let [to_a, to_b] = [quintics(1.0 - s), quintics(s)];
-        let state = |i: usize| {
-            to_a[0] * a.state[i]
-                + to_b[0] * b.state[i]
-                + width * (to_b[1] * b.rate[i] - to_a[1] * a.rate[i])
-                + width * width * (to_a[2] * a.second[i] + to_b[2] * b.second[i])
+    /// Whether between the places of its steps the rate is another one than along the trajectory, by so much that it
+    /// would change it by more than the tolerance over the distance of looks; or whether there is none.
+    fn overlooks<E>(
+        &self,
+        rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+        [from, to]: [f64; 2],
+        tolerance: f64,
+    ) -> bool {
+        let apart = (to - from) / FINER_STEPS;
+        let mut is_off = |place: f64| {
+            let state = self.at(place);
+            let size = state.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+            let allowed = tolerance.max(TRAJECTORY_RELATIVE * size);
+            let Ok(rates) = rate(place, &state) else { return true };
+            let along = self.rate_at(place);
+            !rates.iter().zip(&along).all(|(a, b)| (a - b).abs() * apart <= allowed)
         };
-        (0..a.state.len()).map(state).collect()
+        self.nodes.windows(2).any(|pair| {
+            let width = pair[1].place - pair[0].place;
+            GAPS.iter().any(|[start, end]| {
+                let n_parts = ((end - start) * width / apart).ceil().max(1.0) as usize;
+                let share = |k| start + (end - start) * k as f64 / n_parts as f64;
+                (1..n_parts).any(|k| is_off(pair[0].place + share(k) * width))
+            })
+        })
     }
-
-    /// Where two differ most at the nodes of the other one and halfway between, by how much, and how large they
-    /// are.
-    fn apart(&self, other: &Self) -> (f64, f64, f64) {
-        let (mut at, mut error, mut size) = (f64::NAN, 0.0_f64, 0.0_f64);
-        let middles = other.nodes.windows(2).map(|pair| 0.5 * (pair[0].place + pair[1].place));
-        for place in other.nodes.iter().map(|node| node.place).chain(middles) {
-            for (a, b) in self.at(place).iter().zip(other.at(place)) {
-                size = size.max(b.abs());
-                if error < (a - b).abs() || !(a - b).is_finite() {
-                    (at, error) = (place, (a - b).abs());
-                }
-            }
-        }
-        (at, error, size)
-    }
-}
-
-/// The quintics over 0..1 that vanish with two derivatives at 0, and of which at 1 the value, the first, or
-/// the second derivative is 1, and the others 0.
-fn quintics(s: f64) -> [f64; 3] {
-    let cube = s * s * s;
-    [
-        cube * (10.0 - 15.0 * s + 6.0 * s * s),
-        cube * (-4.0 + 7.0 * s - 3.0 * s * s),
-        0.5 * cube * (1.0 - 2.0 * s + s * s),
-    ]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{TrajectoryError, find_trajectory, quintics};
+    use super::{TrajectoryError, find_trajectory};
 
     #[test]
-    fn quintics_are_those_of_hermite() {
-        // s⁵ has the value 1 at 1, the slope 5 and the second derivative 20, and none of these at 0.
-        for s in [0.0, 0.3, 0.5, 0.9, 1.0] {
-            let [value, slope, second] = quintics(s);
-            assert!((value + 5.0 * slope + 20.0 * second - s * s * s * s * s).abs() < 1e-15);
+    fn loads_on_a_hundredth_of_the_range_are_seen() {
+        for width in [0.011, 0.02, 0.03, 0.05] {
+            for k in 0..97 {
+                let start = (1.0 - width) * f64::from(k) / 96.0;
+                let mut n_asked = 0;
+                let rate = |t: f64, _: &[f64]| {
+                    n_asked += 1;
+                    let is_loaded = start < t && t < start + width;
+                    Ok::<_, ()>(vec![if is_loaded { 1.0 / width } else { 0.0 }])
+                };
+                let found = find_trajectory(rate, &[0.0], [0.0, 1.0], 1e-6);
+                let end = found.map(|found| found.at(1.0)[0]);
+                assert!(
+                    end.as_ref().is_ok_and(|end| (end - 1.0).abs() < 1e-5),
+                    "{width} {start} {end:?}"
+                );
+                assert!(n_asked < 20_000, "{n_asked}");
+            }
         }
+    }
+
+    #[test]
+    fn what_is_smooth_is_looked_at_no_longer() {
+        let mut n_asked = 0;
+        let rate = |t: f64, _: &[f64]| {
+            n_asked += 1;
+            Ok::<_, ()>(vec![2.0 * t])
+        };
+        assert!(find_trajectory(rate, &[0.0], [0.0, 6.0], 1e-6).is_ok());
+        assert!(n_asked < 350, "{n_asked}");
     }
 
     #[test]

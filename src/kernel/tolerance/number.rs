@@ -123,6 +123,17 @@ pub const ARMIJO: f64 = 1e-4;
 /// Larger loses digits; smaller goes on among values that rounding makes equal.
 pub const LEAST_STEP_RELATIVE: f64 = 1e-11;
 
+/// A search for a root that ran out of steps is in a valley where more than this share of the squares at the start is
+/// left; elsewhere it may be where functions only tend to zero.
+///
+/// Larger asks for more where a valley is left; smaller follows what only tends to zero until it is none.
+pub(crate) const SQUARES_IN_VALLEY: f64 = 1e-12;
+
+/// The share of squares that some steps of Newton leave near a root, and not where functions only tend to zero.
+///
+/// Larger follows what only tends to zero; smaller asks for more digits than there are.
+pub(crate) const SQUARES_AT_ROOT: f64 = 1e-16;
+
 /// How far from the end of such a search better places are looked for, as a fraction of the unknowns' sizes.
 ///
 /// Larger misses narrow valleys beside it; smaller finds rounding.
@@ -138,6 +149,28 @@ pub const LEAST_GAIN_RELATIVE: f64 = 1e-9;
 /// Larger stays at inflections; smaller goes on where rounding falls and rises.
 pub(crate) const LEAST_SLOPE_RELATIVE: f64 = 1e-11;
 
+/// Steps over which the value falls by less than this fraction of the function's steepness at the start, and by less
+/// than [`LEAST_STALL_SHARE`] of itself, end a search.
+///
+/// Larger ends in flat valleys; smaller goes down among the roundings of differences.
+pub(crate) const LEAST_STALL_RELATIVE: f64 = 1e-14;
+
+/// The share of a value by which it still falls to its least, beside [`LEAST_STALL_RELATIVE`].
+///
+/// Larger ends in valleys that are a billion times as steep across as along; smaller goes down among the roundings of
+/// differences.
+pub(crate) const LEAST_STALL_SHARE: f64 = 1e-5;
+
+/// A way along which a function bends by less than this fraction of the most is looked along for lower places.
+///
+/// Larger looks along ways that clearly rise; smaller trusts a curvature that is known from places beside.
+pub(crate) const LEAST_BEND_RELATIVE: f64 = 1e-3;
+
+/// A condition holds a place where it keeps the function from a slope of this fraction of that at the start.
+///
+/// Larger looks along ways that leave it; smaller holds to conditions that only happen to be near.
+pub(crate) const HOLDING_RELATIVE: f64 = 1e-6;
+
 /// A search that has come so many times the unknowns' sizes away falls without bound.
 ///
 /// Larger wanders further; smaller refuses what is far from its start.
@@ -147,6 +180,12 @@ pub const LEAST_FAR: f64 = 1e8;
 ///
 /// Larger lets answers break conditions; smaller refuses those that rounding breaks.
 pub const CONDITION_RELATIVE: f64 = 1e-8;
+
+/// Conditions that are broken by more than this fraction contradict one another where no step leads further.
+///
+/// Larger says of what contradicts itself a little that it was not settled; smaller says of what was not settled that
+/// it contradicts itself.
+pub(crate) const CONTRADICTION_RELATIVE: f64 = 1e-6;
 
 /// How much a relaxed condition costs a step, beside the model's curvature.
 ///

@@ -2,7 +2,7 @@
 
 use super::{
     MOST_LABELS, SearchRange, no_derivatives, number_at, six_digits,
-    unknowns::{Unknowns, asked, from_here, number, numbers, single},
+    unknowns::{Unknowns, asked, from_here, is_without_value, number, numbers, single},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
@@ -197,21 +197,6 @@ impl Better {
             Self::Higher => -1.0,
         }
     }
-}
-
-/// Whether a mistake says that there is no value at a place, rather than that the function is wrong.
-fn is_without_value(found: &Diagnostic) -> bool {
-    let is_of_place = matches!(
-        found.code,
-        Code::DivisionByZero
-            | Code::Domain
-            | Code::NoAnswer
-            | Code::OutsideDomain
-            | Code::Degenerate
-            | Code::Gap
-            | Code::OpenShell
-    );
-    is_of_place && found.ceiling.is_none()
 }
 
 /// A function under conditions that is asked.

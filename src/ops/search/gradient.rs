@@ -1,7 +1,7 @@
 //! `gradient`: the derivatives of a number by all that it depends on.
 
 use super::{
-    no_derivatives, six_digits,
+    six_digits,
     unknowns::{Unknowns, asked, number},
 };
 use crate::{
@@ -41,15 +41,21 @@ op! {
     example "gradient(r => pi * r^2, 2mm)" => "12.566370614359172";
     example "gradient(h => area(extrude(line((0, 0), (3, 4)), (0, 0, h))), 2mm)" => "5";
     example "gradient(p => volume(scale(box((0, 0), p), 2)), (1, 2, 3)) ~= (48, 24, 16)" => "true";
+    example "gradient(a => gradient(x => x^3 * a, a), 2, differences = true) ~= 36 within 1e-6" => "true";
     example "gradient(h => area(offset(region(circle((0, 0), h)), 1)[0]), 2, differences = true) ~= 6*pi within 1e-6" => "true";
     refuses "gradient(x => abs(x), 0)" => "E0503: the magnitude has no derivative at 0";
     refuses "gradient(x => abs(x), 0, differences = true)" => "E0503: the differences do not settle at 0";
+    refuses "gradient(a => gradient(x => x^3 * a, a), 2)" => "E0503: no derivative passes through a gradient, and derivatives are wanted";
     refuses "gradient(p => p, (3, 4))" => "E0301: the function must yield a number, but it yields a point";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    if ctx.caller.is_varying(&args.f.value.0) {
-        return no_derivatives(args.f.span);
+    if ctx.caller.is_varying(&args.f.value.0) || args.at.value.is_jet() {
+        let message = "no derivative passes through a gradient, and derivatives are wanted";
+        return Diagnostic::error(Code::NoDerivative, args.f.span, message)
+            .label("so of second derivatives there are differences only")
+            .hint("let the outer `gradient` take them: `gradient(f, at, differences = true)`")
+            .fail();
     }
     let unknowns = Unknowns::new(&args.at)?;
     let mut dim = Dimension::OPEN;

@@ -19,8 +19,10 @@ op! {
     /// or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     /// which need not be the greatest of all. Its steps are those of sequential quadratic programming; gradients
     /// are exact where derivatives pass through all that the function does (see `gradient`), else central
-    /// differences. What would be higher a little beside the answer is looked at before it is given. Nocedal &
-    /// Wright, *Numerical Optimization*, ch. 18.
+    /// differences. What would be higher a little beside the answer is looked at before it is given: along each unknown, and
+    /// of up to 200 along the ways that the conditions leave free and the function bends up, so that no saddle, nor
+    /// the least value on a circle, is taken for the greatest. What does not settle in 5000 steps is refused. Nocedal &
+    /// Wright, *Numerical Optimization*, ch. 18, §12.5.
     maximize in Math -> Value {
         /// A function of the unknowns that yields a number; all may have a dimension.
         f: Spanned<Callback>,

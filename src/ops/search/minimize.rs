@@ -20,8 +20,10 @@ op! {
     /// or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     /// which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
     /// are exact where derivatives pass through all that the function does (see `gradient`), else central
-    /// differences. What would be lower a little beside the answer is looked at before it is given. Nocedal &
-    /// Wright, *Numerical Optimization*, ch. 18.
+    /// differences. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
+    /// of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
+    /// the greatest value on a circle, is taken for the least. What does not settle in 5000 steps is refused. Nocedal &
+    /// Wright, *Numerical Optimization*, ch. 18, §12.5.
     minimize in Math -> Value {
         /// A function of the unknowns that yields a number; all may have a dimension.
         f: Spanned<Callback>,
@@ -41,6 +43,7 @@ op! {
     example "minimize(t => -sin(t), within = 0deg..180deg) ~= 90deg within 1e-6" => "true";
     example "minimize(p => norm(p - (3, 4)), start = (0, 0), subject = p => norm(p) <= 1) ~= (0.6, 0.8) within 1e-6" => "true";
     example "minimize(u => u.a + u.b, within = {a: 0..9, b: 1..9}, subject = u => u.a * u.b >= 9).a ~= 3 within 1e-6" => "true";
+    example "minimize(p => p.y, start = (0, 1), subject = p => norm(p) == 1) ~= (0, -1) within 1e-6" => "true";
     example "minimize(x => (x[0] - x[1])^2 + x[0]^2, start = [3, 1], report = true).derivatives" => "\"exact\"";
     refuses "minimize(p => p.x, start = (0, 0))" => "E0504: the function falls without bound";
     refuses "minimize(p => p.x, start = (5, 0), subject = p => p.x <= 1 and p.x >= 2)" => "E0504: the conditions do not hold together near the start";

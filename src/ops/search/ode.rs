@@ -23,7 +23,9 @@ op! {
     ///
     /// The curve is a spline of degree 5 with two continuous derivatives. It is followed again with smaller
     /// errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
-    /// `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. Where the point
+    /// `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. The rate is looked at
+    /// between the places of its steps as well, so that what acts on a hundredth of the range is seen; what acts on less
+    /// may lie between them: let ranges end where it begins and ends. Where the point
     /// grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
     /// the place. Derivatives pass through, by what the function and the start depend on, within the tolerance.
     /// Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.

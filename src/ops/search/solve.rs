@@ -25,17 +25,18 @@ op! {
     /// list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
-    /// tells is a root. Of any other function the list holds every root that 256 places at equal distances tell
-    /// apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid
-    /// quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud, *Introduction to
-    /// Interval Analysis*, §8.1.
+    /// tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
+    /// places at equal distances tell apart, and is refused where more than every fourth part between them holds one.
+    /// Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
+    /// *Introduction to Interval Analysis*, §8.1.
     ///
     /// Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
     /// as many as the unknowns.
     ///
     /// From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     /// and the function yields as many numbers or more, each of which is to be zero: of more than there are
-    /// unknowns the squares are made least. The search may end at another root than the nearest one. Moré,
+    /// unknowns the squares are made least. Steps to where the function has no value are taken shorter. The search may
+    /// end at another root than the nearest one. Moré,
     /// *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
     solve in Math -> Value {
         /// A function of the unknown that yields what is to be zero; both may have a dimension.
@@ -58,6 +59,7 @@ op! {
     example "[for r in solve(x => x^3 - 2*x + sin(x) - 0.2, within = -2..2, all = true, report = true): r.proven]" => "[true, true, true]";
     example "solve(p => [p.x + p.y - 3, p.x - p.y - 1], start = (0, 0)) ~= (2, 1)" => "true";
     example "solve(u => [u.a * u.b - 6, u.a + u.b - 5], start = {a: 1, b: 4}).a ~= 2" => "true";
+    example "solve(u => [exp(u[0]) - 1000], start = [0])[0] ~= ln(1000)" => "true";
     example "gradient(a => solve(x => x^2 - a, within = 0..5), 4) ~= 0.25" => "true";
     example "gradient(r => solve(p => [norm(p) - r, p.y - 2*p.x], start = (1, 1)).x, 5) ~= 1/sqrt(5) within 1e-9" => "true";
     refuses "solve(x => x^2 + 1, within = -1..2)" => "E0504: the function is 0 nowhere within -1..2";

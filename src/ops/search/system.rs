@@ -1,8 +1,10 @@
 //! `solve` from a start: unknowns for which several functions are zero together.
 
+use std::cell::Cell;
+
 use super::{
     no_derivatives, six_digits,
-    unknowns::{Unknowns, asked, numbers, without_derivatives},
+    unknowns::{Unknowns, asked, is_without_value, numbers, without_derivatives},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
@@ -24,12 +26,16 @@ pub(super) fn solved(
     let is_varying = ctx.caller.is_varying(&function.value.0);
     // Where the search begins has no part in where the root is.
     let unknowns = Unknowns::new(&Spanned::new(without_derivatives(&start.value), start.span))?;
-    let (mut n_residuals, mut dim) = (None, Dimension::NONE);
+    let (n_residuals, mut dim) = (Cell::new(0), Dimension::NONE);
     let mut ask = |place: &Value| {
         let value = asked(ctx, &function.value, place)?;
         let mut all = Vec::new();
         numbers(&value, function.span, &mut all)?;
-        let n_before = *n_residuals.get_or_insert(all.len());
+        let n_before = match n_residuals.get() {
+            0 => all.len(),
+            n_before => n_before,
+        };
+        n_residuals.set(n_before);
         if all.len() != n_before || all.is_empty() {
             let message = format!(
                 "the function yields {} numbers at {place}, and {n_before} before",
@@ -42,14 +48,21 @@ pub(super) fn solved(
         }
         Ok(all.into_iter().map(|number| number.value).collect())
     };
+    let mut is_start = true;
     let found = find_least_squares(
         |values, wanted| {
             let wanted = if is_varying { Wanted::Values } else { wanted };
-            unknowns.answers(values, wanted, &mut ask)
+            let is_tried = !std::mem::replace(&mut is_start, false);
+            match unknowns.answers(values, wanted, &mut ask) {
+                // A step too long; at the start it is the script's mistake.
+                Err(found) if is_tried && is_without_value(&found) => {
+                    Ok(vec![f64::INFINITY; n_residuals.get()].into())
+                }
+                other => other,
+            }
         },
         &unknowns.values,
     )?;
-    let size = |values: &[f64]| values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let (left, first) = (size(&found.residuals), size(&found.first_residuals));
     let is_small = left <= SYSTEM_ROOT_RELATIVE * first;
     let is_root = is_small && found.rest <= SYSTEM_STEP_RELATIVE;
@@ -70,11 +83,17 @@ pub(super) fn solved(
         };
         return Ok((unknowns.found_by(dim).with_reals(&reals), found));
     }
+    no_root(&unknowns, &found, start.span, is_small)
+}
+
+/// Why there is no root, where the search ended.
+fn no_root<T>(unknowns: &Unknowns, found: &LeastSquares, start: Span, is_small: bool) -> Result<T> {
+    let [left, first] = [&found.residuals, &found.first_residuals].map(|values| size(values));
     let message = match is_small {
         true => "no root was found from this start: the functions only tend to 0, or come near",
         false => "no root was found from this start",
     };
-    Diagnostic::error(Code::NoAnswer, start.span, message)
+    Diagnostic::error(Code::NoAnswer, start, message)
         .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))
         .hint(format!(
             "of what is to be 0 there is {} left there, of {} at the start; another start may lead to a root",
@@ -82,6 +101,11 @@ pub(super) fn solved(
             six_digits(first, None)
         ))
         .fail()
+}
+
+/// The largest of some values by size.
+fn size(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
 /// That there are as many equations as unknowns on which they depend, or more: of a point in the plane nothing

@@ -163,6 +163,21 @@ pub(super) fn asked(ctx: &mut Ctx<'_>, function: &Callback, place: &Value) -> Re
     ctx.call(function, std::slice::from_ref(place)).map_err(|found| from_here(ctx, *found, place))
 }
 
+/// Whether a mistake says that there is no value at a place, rather than that the function is wrong.
+pub(super) fn is_without_value(found: &Diagnostic) -> bool {
+    let is_of_place = matches!(
+        found.code,
+        Code::DivisionByZero
+            | Code::Domain
+            | Code::NoAnswer
+            | Code::OutsideDomain
+            | Code::Degenerate
+            | Code::Gap
+            | Code::OpenShell
+    );
+    is_of_place && found.ceiling.is_none()
+}
+
 /// A mistake at a place, with the search that asked.
 pub(super) fn from_here(ctx: &Ctx<'_>, mut found: Diagnostic, place: &Value) -> Box<Diagnostic> {
     found.others.retain(|other| other.span != ctx.span);

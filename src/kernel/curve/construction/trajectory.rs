@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::hermite::{self, HermiteNode};
-use crate::{GeomError, NurbsCurve, numeric::trajectory::Trajectory};
+use crate::{GeomError, NurbsCurve, numeric::trajectory_nodes::Trajectory};
 
 impl NurbsCurve {
     /// The curve over the range of a trajectory along which three components of its state run, from the one

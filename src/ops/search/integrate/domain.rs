@@ -4,13 +4,16 @@ use std::sync::Arc;
 
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
-    integrand::{Integrand, settled},
+    integrand::{IntegralRange, Integrand, settled},
     moving_range::{MovingRange, over_box},
     strips::over_strips,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Face, Interval, Jet, Region, Side},
+    kernel::{
+        Face, Interval, Jet, Region, Side,
+        ceiling::{INTEGRAL_LOOKS, INTEGRAL_LOOKS_OF_SEVERAL},
+    },
     value::{
         At, CARRIES_DERIVATIVES, Dimension, FromValue, IntoValue, Real, RealCurve, RealSurface,
         Value, Vector, rounded,
@@ -162,10 +165,11 @@ fn along(
     tolerances: Tolerances,
 ) -> Result<Found> {
     let pieces = pieces(curve.domain(), curve.nurbs().ok().map(|it| it.knots().as_slice()));
+    let n_looks = (INTEGRAL_LOOKS / pieces.len()).max(INTEGRAL_LOOKS_OF_SEVERAL);
     let mut total = Found::default();
     for ends in &pieces {
         let text = |t| curve.point_at(t).map_or_else(|_| rounded(t), place_text);
-        let range = integrand.range(*ends);
+        let range = IntegralRange { n_looks, ..integrand.range(*ends) };
         let found = settled(&range, shared(tolerances, pieces.len()), text, |t| {
             let t = t.value();
             let jet = match integrand.carried() {

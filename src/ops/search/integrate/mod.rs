@@ -29,8 +29,9 @@ op! {
     /// and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
     /// where the border of a face is known within a tolerance, so is the integral. Kinks and jumps are found, and the
     /// range is cut there. What none of the places that are asked shows is not seen: of a smooth function these are some
-    /// 30, and 200 evenly spread more before the answer is believed, 16 for each range of several, so that a peak that is
-    /// narrower than a hundredth of the range may lie between them; add up the integrals on both sides of its top. Ends of
+    /// 30, and 200 evenly spread more before the answer is believed, along a curve as well; 16 for each range of several and
+    /// each direction of an area, so that a peak that is narrower than a hundredth of the range, or there than a tenth,
+    /// may lie between them; add up the integrals on both sides of its top. Ends of
     /// ranges and borders are never asked for, so that a function may grow without bound there: at 0 to all digits,
     /// elsewhere as near as numbers are apart, which a `tolerance` of 1e-6 allows for. An integral that has no finite
     /// value, or does not settle, is refused with the place.

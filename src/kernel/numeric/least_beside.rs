@@ -1,0 +1,264 @@
+//! Better places beside the end of a search for a least value.
+//!
+//! No slope leads away from a saddle, nor from a greatest value under curved conditions, where a search comes to that
+//! begins on an axis of symmetry. Along the ways that the conditions leave free the function's curvature tells, with
+//! that of the conditions that hold it: where it falls on both sides of a place, that is none of the least. Nocedal &
+//! Wright, *Numerical Optimization*, §12.5.
+
+use super::{
+    answers::{Answers, Wanted},
+    least_model::{HoldingCondition, Terms},
+    least_search::{LeastSearch, clamped},
+    quadratic_program::dot,
+    symmetric_eigen::symmetric_axes,
+};
+use crate::{
+    ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS},
+    tolerance::{
+        LEAST_BEND_RELATIVE, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE,
+    },
+};
+
+/// How many times farther than beside it is looked where the curvature is none: what falls with a higher power of
+/// the distance falls by more there.
+const REACHES: [f64; 3] = [1.0, 10.0, 100.0];
+
+/// Two places on both sides of the best one, the better one first, with their merits.
+struct Sides {
+    merits: [f64; 2],
+    place: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl<F, E> LeastSearch<'_, F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
+    pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
+        self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
+        let n = self.place.len();
+        let mut best: Option<Sides> = None;
+        for k in 0..n {
+            let sides = self.sides(&axis(n, k), LEAST_PROBE_RELATIVE, &[])?;
+            if best.as_ref().is_none_or(|best| sides.merits[0] < best.merits[0]) {
+                best = Some(sides);
+            }
+        }
+        if best.is_some_and(|best| self.leaves_for(best)) {
+            return Ok(true);
+        }
+        self.leaves_by_curvature()
+    }
+
+    /// Goes to a place that is better than this one.
+    fn leaves_for(&mut self, Sides { merits: [least, opposite], place, values }: Sides) -> bool {
+        let merit = self.merit(&self.values);
+        // Down on one side by about as much as up on the other: a slope, however small.
+        let (fall, rise) = (merit - least, opposite - merit);
+        let is_slope =
+            LEAST_SLOPE_RELATIVE * merit.abs() < fall && rise < 2.0 * fall && fall < 2.0 * rise;
+        let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
+        if is_better {
+            (self.place, self.values) = (place, values);
+        }
+        is_better
+    }
+
+    /// The places on both sides along a way, led back to where the conditions hold and those that are held are zero.
+    fn sides(&mut self, way: &[f64], reach: f64, held: &[usize]) -> Result<Sides, E> {
+        let mut side = |share: f64| -> Result<_, E> {
+            let mut step: Vec<f64> = way.iter().map(|part| share * part).collect();
+            let mut best = self.moved(&step, 1.0)?;
+            if held.is_empty() {
+                return Ok(best);
+            }
+            for _ in 0..CONDITION_CORRECTIONS {
+                let Some(next) = self.led_back(&step, held)? else { break };
+                let taken = next.0.iter().zip(&self.place).zip(&self.units);
+                step = taken.map(|((x, from), unit)| (x - from) / unit).collect();
+                if self.merit(&next.1) < self.merit(&best.1) {
+                    best = next;
+                }
+            }
+            Ok(best)
+        };
+        let [before, behind] = [side(-reach)?, side(reach)?];
+        let merits = [self.merit(&before.1), self.merit(&behind.1)];
+        let is_before = merits[0] <= merits[1];
+        let merits = if is_before { merits } else { [merits[1], merits[0]] };
+        let (place, values) = if is_before { before } else { behind };
+        Ok(Sides { merits, place, values })
+    }
+
+    /// Whether a place is better along a way on which the function does not bend up; the search goes there.
+    fn leaves_by_curvature(&mut self) -> Result<bool, E> {
+        let terms = Terms {
+            gradients: &self.slopes,
+            values: &self.weighted(&self.values),
+            limits: &self.limits(&self.place),
+            n_equations: self.problem.n_equations,
+        };
+        let Some(holding) = terms.holding() else { return Ok(false) };
+        if CURVATURE_UNKNOWNS < self.place.len() {
+            return Ok(false);
+        }
+        let ways = free_ways(&holding, self.place.len());
+        let Some(curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
+        let axes = symmetric_axes(curvature);
+        let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
+        let held: Vec<usize> = holding.iter().map(|condition| condition.idx).collect();
+        for (_, axis) in axes.iter().filter(|(bend, _)| *bend <= LEAST_BEND_RELATIVE * most) {
+            let part =
+                |k: usize| -> f64 { ways.iter().zip(axis).map(|(way, part)| part * way[k]).sum() };
+            let way: Vec<f64> = (0..self.place.len()).map(part).collect();
+            for reach in REACHES {
+                let sides = self.sides(&way, reach * LEAST_PROBE_RELATIVE, &held)?;
+                if self.leaves_for(sides) {
+                    return Ok(true);
+                }
+            }
+        }
+        Ok(false)
+    }
+
+    /// The curvature along and between ways of the function with the conditions that hold it: by gradients beside,
+    /// or by values where it has none. None where something has no value beside.
+    fn curvature(
+        &mut self,
+        ways: &[Vec<f64>],
+        holding: &[HoldingCondition],
+    ) -> Result<Option<Vec<Vec<f64>>>, E> {
+        let n_conditions = self.values.len() - 1;
+        let mut shares = vec![0.0; n_conditions + 1];
+        shares[0] = 1.0;
+        let given = holding.iter().filter(|condition| condition.idx < n_conditions);
+        given.for_each(|condition| shares[condition.idx + 1] = -condition.multiplier);
+        let base = self.inner_place();
+        let bends = match self.asked.has_differences {
+            true => self.bends_of_values(&base, ways, &shares)?,
+            false => self.bends_of_gradients(&base, ways, &shares)?,
+        };
+        Ok(Some(bends).filter(|bends| bends.iter().flatten().all(|bend| bend.is_finite())))
+    }
+
+    /// The place, or where a bound is near one that leaves room beside it.
+    fn inner_place(&self) -> Vec<f64> {
+        let rooms = self.problem.bounds.iter().zip(&self.units).map(|([low, high], unit)| {
+            let room = (2.0 * LEAST_PROBE_RELATIVE * unit).min(0.5 * (high - low));
+            [low + room, high - room]
+        });
+        clamped(&self.place, &rooms.collect::<Vec<_>>())
+    }
+
+    fn bends_of_values(
+        &mut self,
+        base: &[f64],
+        ways: &[Vec<f64>],
+        shares: &[f64],
+    ) -> Result<Vec<Vec<f64>>, E> {
+        let reach = LEAST_PROBE_RELATIVE;
+        let mut value_at = |steps: &[(f64, &Vec<f64>)]| {
+            let place = self.beside(base, steps);
+            let values = self.asked.values(&place)?;
+            Ok::<_, E>(dot(&self.weighted(&values), shares))
+        };
+        let here = value_at(&[])?;
+        let mut behind = Vec::with_capacity(ways.len());
+        let mut bends = vec![vec![0.0; ways.len()]; ways.len()];
+        for (i, way) in ways.iter().enumerate() {
+            behind.push(value_at(&[(reach, way)])?);
+            let before = value_at(&[(-reach, way)])?;
+            bends[i][i] = (behind[i] - here + before - here) / (reach * reach);
+            for (j, other) in ways.iter().enumerate().take(i) {
+                let both = value_at(&[(reach, way), (reach, other)])?;
+                let bend = (both - behind[i] - (behind[j] - here)) / (reach * reach);
+                (bends[i][j], bends[j][i]) = (bend, bend);
+            }
+        }
+        Ok(bends)
+    }
+
+    fn bends_of_gradients(
+        &mut self,
+        base: &[f64],
+        ways: &[Vec<f64>],
+        shares: &[f64],
+    ) -> Result<Vec<Vec<f64>>, E> {
+        let reach = LEAST_PROBE_RELATIVE;
+        let mut slopes_at = |steps: &[(f64, &Vec<f64>)]| {
+            let place = self.beside(base, steps);
+            let gradients = self.gradients_at(&place)?;
+            let slope = |way: &Vec<f64>| {
+                gradients
+                    .iter()
+                    .zip(shares)
+                    .map(|(gradient, share)| share * dot(gradient, way))
+                    .sum()
+            };
+            Ok::<Vec<f64>, E>(ways.iter().map(slope).collect())
+        };
+        let here = slopes_at(&[])?;
+        let mut rows = Vec::with_capacity(ways.len());
+        for way in ways {
+            let there = slopes_at(&[(reach, way)])?;
+            rows.push(
+                there.iter().zip(&here).map(|(there, here)| (there - here) / reach).collect(),
+            );
+        }
+        let rows: Vec<Vec<f64>> = rows;
+        let mean = |i: usize, j: usize| 0.5 * (rows[i][j] + rows[j][i]);
+        Ok((0..ways.len()).map(|i| (0..ways.len()).map(|j| mean(i, j)).collect()).collect())
+    }
+
+    /// A place some steps beside another.
+    fn beside(&self, base: &[f64], steps: &[(f64, &Vec<f64>)]) -> Vec<f64> {
+        let part = |k: usize| -> f64 { steps.iter().map(|(share, way)| share * way[k]).sum() };
+        let moved = base.iter().zip(&self.units).enumerate();
+        let place: Vec<f64> = moved.map(|(k, (x, unit))| x + part(k) * unit).collect();
+        clamped(&place, self.problem.bounds)
+    }
+}
+
+fn axis(n: usize, along: usize) -> Vec<f64> {
+    (0..n).map(|k| if k == along { 1.0 } else { 0.0 }).collect()
+}
+
+/// Ways of length one at right angles to one another and to what holds a place.
+fn free_ways(holding: &[HoldingCondition], n: usize) -> Vec<Vec<f64>> {
+    let mut left: Vec<Vec<f64>> = (0..n).map(|k| axis(n, k)).collect();
+    let mut normals: Vec<Vec<f64>> = holding.iter().map(|held| held.normal.clone()).collect();
+    let mut ways = Vec::new();
+    let mut n_free = n;
+    // The normals first, the longest of what is left of them each time, then the axes.
+    while let Some(normal) = longest(&mut normals) {
+        project_out(&normal, &mut normals);
+        project_out(&normal, &mut left);
+        n_free -= 1;
+        if n_free == 0 {
+            return ways;
+        }
+    }
+    for _ in 0..n_free {
+        let Some(way) = longest(&mut left) else { break };
+        project_out(&way, &mut left);
+        ways.push(way);
+    }
+    ways
+}
+
+/// Takes the longest of some ways out, with its length made one; none where nothing is left of them.
+fn longest(ways: &mut Vec<Vec<f64>>) -> Option<Vec<f64>> {
+    let length = |way: &[f64]| dot(way, way).sqrt();
+    let (idx, most) = (ways.iter().map(|way| length(way)).enumerate())
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .filter(|(_, most)| LEAST_SLOPE_RELATIVE < *most)?;
+    Some(ways.swap_remove(idx).into_iter().map(|part| part / most).collect())
+}
+
+fn project_out(unit: &[f64], ways: &mut [Vec<f64>]) {
+    for way in ways {
+        let along = dot(way, unit);
+        way.iter_mut().zip(unit).for_each(|(part, unit)| *part -= along * unit);
+    }
+}

@@ -1,0 +1,6 @@
+print minimize(u => u[0]^2 + u[1]^2 + 4*u[0]*u[1], start = [1, 1])
+print minimize(u => u[0]^2 + u[1]^2 + 4*u[0]*u[1], start = [0, 0])
+print minimize(u => (1 - u[0])^2 + 1e9*(u[1] - u[0]^2)^2, start = [-1.2, 1])
+print minimize(u => u[0]^2 + u[1], start = [1, 1], subject = u => u[1] >= 1 and u[1] <= 0.9)
+print gradient(a => gradient(x => x^3*a, a), 2)
+print solve(x => sign(x - 0.3)*abs(x - 0.3)^0.1, within = 0..1, all = true)
