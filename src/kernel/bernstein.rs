@@ -9,7 +9,7 @@ use std::{
 use glam::DVec4;
 
 use super::bezier;
-use crate::work;
+use crate::{ceiling::MAXIMUM_HALVINGS, work};
 
 /// Bernstein coefficients of the product of two polynomials on one interval, of any kind of
 /// values; `times` multiplies these. O(p·q).
@@ -120,10 +120,6 @@ pub(crate) fn binomials(n: usize) -> Vec<f64> {
     (0..=n).scan(1.0, next).collect()
 }
 
-/// Halvings after which a search for a maximum is content with its bound, and more for as many
-/// pieces as it begins with.
-const MAX_HALVINGS: usize = 2000;
-
 /// How far above the largest value found a bound may stay.
 const SLACK: f64 = 1.02;
 
@@ -140,7 +136,7 @@ pub(crate) fn maximum(
     value: impl Fn(DVec4) -> f64,
 ) -> f64 {
     let mut reached = rounding;
-    let mut left = MAX_HALVINGS + pieces.len();
+    let mut left = MAXIMUM_HALVINGS + pieces.len();
     let mut todo = BinaryHeap::with_capacity(pieces.len());
     let mut n_pieces = 0;
     let mut add = |todo: &mut BinaryHeap<BoundedPiece>, points: Vec<DVec4>, most: f64| {

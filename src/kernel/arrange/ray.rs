@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::{Arrangement, PlaneEdge};
 use crate::{
     Bounds, NurbsCurve,
+    ceiling::RAY_STRIPS,
     curve::part::{CurvePart, parts},
     homogeneous,
     tolerance::LAST_BIT,
@@ -22,9 +23,6 @@ const HALVINGS: usize = 60;
 
 /// Last bits of its coordinates within which a piece is at a place.
 const NEAR_ROUNDINGS: f64 = 16.0;
-
-/// Strips in which pieces of edges are looked up.
-const MOST_STRIPS: usize = 4096;
 
 /// A side of an edge, seen along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,7 +171,7 @@ impl Strips {
         let [start, size] = whole.map_or([0.0, 0.0], |b| [b.min[axis], b.size()[axis]]);
         let sum: f64 = pieces.iter().map(|piece| piece.bounds.size()[axis]).sum();
         let n = (size * pieces.len() as f64 / sum).ceil();
-        let n = if n.is_finite() { (n as usize).clamp(1, MOST_STRIPS) } else { 1 };
+        let n = if n.is_finite() { (n as usize).clamp(1, RAY_STRIPS) } else { 1 };
         let mut strips = Self { axis, start, width: size / n as f64, pieces: vec![Vec::new(); n] };
         for (number, piece) in pieces.iter().enumerate() {
             let [low, high] = [piece.bounds.min[axis], piece.bounds.max[axis]];

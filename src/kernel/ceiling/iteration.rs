@@ -96,3 +96,104 @@ pub(crate) const SURFACE_CLIMB_STEPS: usize = 26;
 
 /// Looks around the place where a surface bends most.
 pub(crate) const BEND_CLIMB_STEPS: usize = 80;
+
+/// Halvings after which a search for a maximum is content with its bound, and more for as many
+/// pieces as it begins with.
+pub(crate) const MAXIMUM_HALVINGS: usize = 2000;
+
+/// Halvings of a piece with a singular place: all bits of an `f64`.
+pub(crate) const SINGULAR_HALVINGS: usize = 120;
+
+/// Halvings towards a place where the curve itself stands still.
+pub(crate) const CUSP_HALVINGS: usize = 40;
+
+/// Halvings of a span before its offset counts as having no direction there: their knots are still
+/// told apart.
+pub(crate) const OFFSET_HALVINGS: usize = 38;
+
+/// Halvings of a piece until it goes by less than half a turn, which its control points show.
+pub(crate) const HALF_TURN_HALVINGS: usize = 6;
+
+/// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four
+/// with each.
+pub(crate) const LENGTH_HALVINGS: usize = 40;
+
+/// Halvings of a piece of a spline to follow a number along it.
+pub(crate) const FOLLOWING_HALVINGS: usize = 8;
+
+/// How often the points of one trial of a fit slide along it.
+pub(crate) const FIT_CORRECTIONS: usize = 12;
+
+/// Rounds of a fit, each of which divides every span that misses: this many divide any number.
+pub(crate) const FIT_ROUNDS: usize = 64;
+
+/// Steps of a fit in a row that gain nothing: the last ones.
+pub(crate) const IDLE_STEPS: usize = 2;
+
+/// How often the knots of one number of control points are spread anew.
+pub(crate) const KNOT_SPREADS: usize = 3;
+
+/// How often the curves of a network are made nearer to one another.
+pub(crate) const GORDON_ROUNDS: usize = 3;
+
+/// How often the spans of a curve of a network that miss are divided.
+pub(crate) const REFIT_ROUNDS: usize = 24;
+
+/// Numbers of knots, fewer each time, that are tried for a curve of a network.
+pub(crate) const REFIT_TRIALS: usize = 7;
+
+/// How often the fit of a curve of a network is made finer after its bound was too large.
+pub(crate) const REFIT_BOUNDS: usize = 6;
+
+/// Quarterings of a piece whose weights are not all positive: the denominator is, so that some
+/// refinement of them is.
+pub(crate) const WEIGHT_QUARTERINGS: usize = 12;
+
+/// Steps by which a closed mesh is made flat, for each of its triangles.
+pub(crate) const FLATTENING_STEPS: usize = 64;
+
+/// Meshes that are tried for an angle: where normals turn faster between the places where they are
+/// compared than there, the cells become smaller.
+pub(crate) const TESSELLATION_ROUNDS: usize = 5;
+
+/// Times that a search for the nearest place becomes content with less.
+pub(crate) const NEAREST_LENIENCIES: usize = 4;
+
+/// Halvings of a patch along one direction, to the last bits of its parameter.
+pub(crate) const PATCH_HALVINGS: u8 = 48;
+
+/// Halvings of an interval in which several roots cannot be told apart.
+pub(crate) const ROOT_CLUSTER_HALVINGS: usize = 40;
+
+/// Halvings of a cell with a crease: all bits of an `f64`.
+pub(crate) const CREASE_HALVINGS: usize = 60;
+
+/// Halvings of a piece after which a curve is left as it was found.
+pub(crate) const CONIC_HALVINGS: usize = 8;
+
+/// Halvings, along u and v in turns, after which a patch has not told the sign of something.
+pub(crate) const SIGN_HALVINGS: usize = 4;
+
+/// Halvings of the stretch between two samples of an intersection.
+pub(crate) const SAMPLE_HALVINGS: usize = 24;
+
+/// Halvings of the parts of a patch in which a fold is looked for.
+pub(crate) const DEFECT_HALVINGS: usize = 40;
+
+/// Slow steps towards an umbilic one after the other: they lead nowhere.
+pub(crate) const SLOW_UMBILIC_STEPS: usize = 3;
+
+/// Doublings of the number of steps by which a frame is moved along a path.
+pub(crate) const FRAME_DOUBLINGS: usize = 7;
+
+/// Halvings of a piece of an edge after which its certificate is given up.
+pub(crate) const CERTIFICATE_HALVINGS: usize = 20;
+
+/// Times that a box is made larger, because derivatives over it ask for more room.
+pub(crate) const BOX_WIDENINGS: usize = 4;
+
+/// Jumps that may follow one another between two steps: over either seam, and one more.
+pub(crate) const SEAM_JUMPS: usize = 3;
+
+/// Steps onto a knot of the surface.
+pub(crate) const KNOT_STEPS: usize = 40;

@@ -144,3 +144,45 @@ pub(crate) const CROSSING_VERTICES: usize = 200_000;
 
 /// Directions of planes in which faces of two meshes coincide, that are told apart: three are served, and those of one prism.
 pub(crate) const COINCIDENT_DIRECTIONS: usize = 64;
+
+/// Strips of a plane in which pieces of edges are looked up.
+pub(crate) const RAY_STRIPS: usize = 4096;
+
+/// Places where a function may lack derivatives.
+pub(crate) const FUNCTION_BREAKS: usize = 64;
+
+/// So many knots that cost least are tried: if none of them can go, another one seldom can.
+pub(crate) const KNOTS_TRIED: usize = 16;
+
+/// Pieces along one direction by which the cells of a tessellation are bounded.
+pub(crate) const CELL_PIECES: usize = 128;
+
+/// Lines of a function of two parameters along which its derivatives may jump.
+pub(crate) const CREASES: usize = 32;
+
+/// Lines across a surface on which the knots of its offset are looked for at first.
+pub(crate) const OFFSET_LINES: usize = 17;
+
+/// Places along a direction of an offset beyond which a span has but one.
+pub(crate) const OFFSET_PLACES: usize = 128;
+
+/// Even parts of a domain at whose ends points of a quadric are taken.
+pub(crate) const QUADRIC_PARTS: usize = 24;
+
+/// Contacts of two surfaces that make up touches in points; more make up areas or lines.
+pub(crate) const CONTACTS: usize = 1000;
+
+/// Folds that are told; more are more of the same.
+pub(crate) const FOLDS_TOLD: usize = 8;
+
+/// Parts of a surface along one direction that are compared with a mesh.
+pub(crate) const DEVIATION_PARTS: usize = 1000;
+
+/// Places of a patch in each direction, at most: more than eight times the degree up to 8.
+pub(crate) const PATCH_PLACES: usize = 65;
+
+/// Spans of an arc of which a conic is made.
+pub(crate) const CONIC_SPANS: usize = 256;
+
+/// Places within each span of an arc in which the conic is compared at most.
+pub(crate) const CONIC_PLACES: usize = 16;

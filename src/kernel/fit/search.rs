@@ -5,11 +5,12 @@ use glam::{DVec3, DVec4};
 use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve, Parametrization,
+    ceiling::FIT_CORRECTIONS,
+    ceiling::FIT_ROUNDS,
+    ceiling::IDLE_STEPS,
+    ceiling::KNOT_SPREADS,
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
-
-/// How often the points of one trial slide along it.
-const MAX_CORRECTIONS: usize = 12;
 
 /// So many points are many: what costs more than it saves is left out.
 const MANY: usize = 2000;
@@ -18,14 +19,8 @@ const MANY: usize = 2000;
 /// is far from them they would only crowd.
 const NEAR: f64 = 128.0;
 
-/// Each round divides the data of every span that misses, so that this many divide any number.
-const MAX_ROUNDS: usize = 64;
-
 /// A step that leaves more than this of the sum of the squares gains nothing.
 const GAIN: f64 = 0.98;
-
-/// So many steps in a row that gain nothing are the last.
-const MAX_IDLE: usize = 2;
 
 /// A curve that is slower at a point than this share of its mean speed is about to turn back.
 const LEAST_SPEED: f64 = 0.2;
@@ -36,9 +31,6 @@ const MOST_DETOUR: f64 = 1.7;
 
 /// Parts of the way between two points.
 const DETOUR_PARTS: usize = 4;
-
-/// How often the knots of one number of control points are spread anew.
-const MAX_SPREADS: usize = 3;
 
 /// Halving stops at this share of the number of control points.
 const SHARE: usize = 64;
@@ -112,7 +104,7 @@ impl FitSearch<'_> {
             return self.interpolated(parameters);
         };
         let mut best = first;
-        for _ in 0..MAX_ROUNDS {
+        for _ in 0..FIT_ROUNDS {
             let n = best.n_control();
             let spread = self.respread(best, self.degree + 1);
             let thinned = self.thinned_at_once(spread);
@@ -153,8 +145,8 @@ impl FitSearch<'_> {
             return Some(best);
         }
         let (mut last, mut along, mut n_idle) = (best.clone(), SLIDE_RELATIVE, 0);
-        for _ in 0..MAX_CORRECTIONS {
-            if self.keeps(&best) || n_idle == MAX_IDLE || 1.0 < along {
+        for _ in 0..FIT_CORRECTIONS {
+            if self.keeps(&best) || n_idle == IDLE_STEPS || 1.0 < along {
                 break;
             }
             match self.slid(&last, along).filter(|next| next.squares < last.squares) {
@@ -247,7 +239,7 @@ impl FitSearch<'_> {
     ) -> Option<FittedCurve> {
         let mut knots = coarsest;
         let mut start = parameters.to_vec();
-        for _ in 0..MAX_ROUNDS {
+        for _ in 0..FIT_ROUNDS {
             let trial = match self.trial(&knots, &start) {
                 Some(trial) => trial,
                 None => self.trial(&knots, parameters)?,
@@ -338,7 +330,7 @@ impl FitSearch<'_> {
     fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         let mut least = f64::INFINITY;
-        for _ in 0..MAX_SPREADS {
+        for _ in 0..KNOT_SPREADS {
             let knots = spread::by_need(&curve, n);
             let Some(trial) = self.trial(&knots, &start) else { break };
             if self.keeps(&trial) {

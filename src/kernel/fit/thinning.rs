@@ -1,13 +1,10 @@
 //! Taking knots away from a curve that has more than its tolerance needs.
 
 use super::search::{FitSearch, FittedCurve};
-use crate::{KnotVector, NurbsCurve, removal::removal, sorting::sort_by};
+use crate::{KnotVector, NurbsCurve, ceiling::KNOTS_TRIED, removal::removal, sorting::sort_by};
 
 /// Control points up to which knots go one by one; of more that is seldom worth the time.
 const FEW: usize = 64;
-
-/// So many knots that cost least are tried: if none of them can go, another one seldom can.
-const MAX_TRIED: usize = 16;
 
 impl FitSearch<'_> {
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
@@ -69,7 +66,7 @@ impl FitSearch<'_> {
                 let trial = self.trial(&knots.without(knots.as_slice()[i]), &start)?;
                 self.keeps(&trial).then_some(trial)
             };
-            match costs.iter().take(MAX_TRIED).find_map(without) {
+            match costs.iter().take(KNOTS_TRIED).find_map(without) {
                 Some(trial) => best = trial,
                 None => break,
             }

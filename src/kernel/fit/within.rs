@@ -9,13 +9,10 @@
 use glam::DVec3;
 
 use super::{Approximator, Ends, FirstPass, Interpolator, LineFit, spread};
-use crate::{FitError, GeomError, Grid, KnotVector, NurbsSurface};
+use crate::{FitError, GeomError, Grid, KnotVector, NurbsSurface, ceiling::FIT_ROUNDS};
 
 /// The columns may use this part of the tolerance; the rest is left to the rows.
 const SHARE_OF_COLUMNS: f64 = 0.5;
-
-/// Each round divides every span that misses, so that this many divide any number.
-const MAX_ROUNDS: usize = 64;
 
 /// Control points along a direction up to which knots are taken away one by one.
 const FEW: usize = 64;
@@ -65,7 +62,7 @@ impl Lines {
         misses: impl Fn(&LineFit) -> Result<Vec<f64>, GeomError>,
     ) -> Result<LineFit, GeomError> {
         let mut knots = self.coarsest()?;
-        for _ in 0..MAX_ROUNDS {
+        for _ in 0..FIT_ROUNDS {
             GeomError::go_on(self.parameters.len())?;
             let Some(fit) = self.near(&knots) else { break };
             let misses = misses(&fit)?;

@@ -27,6 +27,8 @@ use super::{
     frame::angle_between, surface::BooleanSumTerm,
 };
 
+use crate::ceiling::GORDON_ROUNDS;
+
 /// What a network is made of, and how.
 ///
 /// Four sides of a square, one corner of which is lifted, have between them z = uv:
@@ -91,9 +93,6 @@ const GAP_SHARE: f64 = 0.75;
 /// falls where the surface missed.
 const LEAST_SHARE: f64 = 0.4;
 
-/// How often splines are made nearer.
-const MAX_ROUNDS: usize = 3;
-
 /// The surface through all curves of a network: L1 + L2 − T.
 ///
 /// L1 runs through the u-curves, L2 through the v-curves and T through their meetings, all three
@@ -128,7 +127,7 @@ pub fn gordon(network: Network<'_>) -> Result<Gordon, NetworkError> {
     // Half a gap remains, and a little more between the curves.
     let mut share = (tolerance - GAP_SHARE * gap.0).max(LEAST_SHARE * tolerance);
     let mut found = f64::INFINITY;
-    for _ in 0..MAX_ROUNDS {
+    for _ in 0..GORDON_ROUNDS {
         let mut families = families.clone();
         for (f, family) in families.iter_mut().enumerate() {
             adapt::adapt(family, &at[f], blends[f].knots(), [tolerance, share])?;

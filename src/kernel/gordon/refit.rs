@@ -5,6 +5,9 @@ use glam::DVec4;
 use crate::{
     Approximator, FitError, GeomError, Interval, KnotVector, NurbsCurve, Side,
     ceiling::PIECES,
+    ceiling::REFIT_BOUNDS,
+    ceiling::REFIT_ROUNDS,
+    ceiling::REFIT_TRIALS,
     fit::FitCondition,
     sorting::sort_by,
     tolerance::{KNOT_CLUSTER_RELATIVE, LEAST_KNOT_DENSITY},
@@ -16,12 +19,7 @@ const MORE_PLACES: usize = 4;
 /// How much ends, derivatives there, and places that are to be met count more than others.
 const HEAVY: f64 = 1e3;
 
-/// How often spans that miss are divided, and how often fewer knots are tried.
-const MAX_ROUNDS: usize = 24;
-const MAX_TRIALS: usize = 7;
-
-/// How often the fit is made finer after its bound was too large, and what it may miss then.
-const MAX_BOUNDS: usize = 6;
+/// What a fit may miss, as a share of before, after its bound was too large.
 const FINER: f64 = 0.7;
 
 /// Part of the tolerance that may be used up at the places that are looked at.
@@ -60,7 +58,7 @@ pub(crate) fn refitted(
     let mut allowed = SAFETY * tolerance;
     let mut best = search.economical(allowed, tolerance)?;
     let mut found = best.worst();
-    for _ in 0..MAX_BOUNDS {
+    for _ in 0..REFIT_BOUNDS {
         let fits = best.curves()?;
         let bound = |(curve, fit): (&NurbsCurve, &NurbsCurve)| {
             GeomError::go_on(fit.n_segments())?;
@@ -247,7 +245,7 @@ impl<'a> KnotSearch<'a> {
         tolerance: f64,
     ) -> Result<TrialSplines, GeomError> {
         let mut trial = first;
-        for _ in 0..MAX_ROUNDS {
+        for _ in 0..REFIT_ROUNDS {
             let more = self.splits(&trial, allowed);
             if more.is_empty() {
                 return Ok(trial);
@@ -279,7 +277,7 @@ impl<'a> KnotSearch<'a> {
     fn economical(&self, allowed: f64, tolerance: f64) -> Result<TrialSplines, GeomError> {
         let mut best = self.grown(self.trial(Vec::new())?, allowed, tolerance)?;
         let (mut low, mut high) = (0, best.free.len());
-        for _ in 0..MAX_TRIALS {
+        for _ in 0..REFIT_TRIALS {
             if high <= low + high / SHARE {
                 break;
             }

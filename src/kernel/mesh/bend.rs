@@ -10,13 +10,9 @@ use glam::{DVec3, DVec4};
 
 use super::{homothetic::HomotheticSections, quotient::SecondHulls};
 use crate::{
-    Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, frame::unit, homogeneous::place,
-    side_by_side, tolerance::EXACT_RELATIVE,
+    Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, ceiling::WEIGHT_QUARTERINGS,
+    frame::unit, homogeneous::place, side_by_side, tolerance::EXACT_RELATIVE,
 };
-
-/// Quarterings of a piece whose weights are not all positive: the denominator is, so that some
-/// refinement of them is.
-const MAX_QUARTERINGS: usize = 12;
 
 /// The pieces of a surface with what bounds its derivatives there.
 #[derive(Debug)]
@@ -172,7 +168,7 @@ fn bend(
 ) -> PieceBounds {
     match net.iter().all(|point| 0.0 < point.w) {
         true => of_positive(surface, net, domains, hulls),
-        false if n_quarterings < MAX_QUARTERINGS => {
+        false if n_quarterings < WEIGHT_QUARTERINGS => {
             let (halves_u, halves_v) = (domains[0].halves(), domains[1].halves());
             let mut all = PieceBounds::default();
             for (half, domain_u) in bezier::halves(net, Direction::U).iter().zip(halves_u) {

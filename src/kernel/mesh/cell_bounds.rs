@@ -20,17 +20,17 @@ use super::{
 };
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
+    ceiling::CELL_PIECES,
     tolerance::{BORDER_SHARE, END_LOOK},
     work,
 };
 
-/// Pieces along one direction by which the cells are counted, about; and of those that bound them
-/// then, one for each cell, about, how many at most.
+/// Pieces along one direction by which the cells are counted, about; those that bound them then are one for each cell,
+/// about, up to `CELL_PIECES`.
 ///
 /// Over a piece each second derivative is bounded on its own, where one may be large as another is
 /// small: pieces of several cells make more triangles of a wave than it needs.
 const FEW_PIECES: usize = 16;
-const MOST_PIECES: usize = 128;
 
 /// How much smaller cells become that break a rule of several pieces together.
 const NARROWING: f64 = 0.98;
@@ -126,7 +126,7 @@ impl CellBounds {
         let bounds = |n_pieces| DerivativeBounds::of(surface, n_pieces, wanted.n_threads);
         let few = Self::of(bounds([FEW_PIECES; 2]), surface, wanted, breaks);
         let n_pieces =
-            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, MOST_PIECES));
+            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, CELL_PIECES));
         if n_pieces == [FEW_PIECES; 2] {
             return few;
         }

@@ -11,10 +11,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use crate::{tolerance::FOLD_SINE, work};
-
-/// Steps for each triangle that there is, at most.
-const MOST_STEPS: usize = 64;
+use crate::{ceiling::FLATTENING_STEPS, tolerance::FOLD_SINE, work};
 
 /// Triangles in the making.
 struct FlattenedNet {
@@ -47,7 +44,7 @@ pub(super) fn flattened(
     let mut net =
         FlattenedNet { vertices, rounding, triangles: Vec::new(), along, todo: Vec::new() };
     triangles.iter().for_each(|&corners| net.add(corners));
-    let mut n_steps = MOST_STEPS * triangles.len();
+    let mut n_steps = FLATTENING_STEPS * triangles.len();
     while let Some(triangle) = net.todo.pop() {
         let Some(corners) = net.triangles[triangle as usize] else { continue };
         let is_changed = if net.is_sliver(corners) {

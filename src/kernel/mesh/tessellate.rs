@@ -15,16 +15,16 @@ use super::{
     surface_patch::SurfacePatch,
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier, ceiling::PARAMETER_HALVINGS,
-    side_by_side, tolerance::PATH_ROUNDING, work,
+    CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier,
+    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
+    side_by_side,
+    tolerance::PATH_ROUNDING,
+    work,
 };
-
-/// Meshes that are tried for an angle: where normals turn faster between the places where they are
-/// compared than there, the cells become smaller.
-pub(super) const MAX_ROUNDS: usize = 5;
 
 /// How much smaller one round may make the cells, and how much more than the measured excess.
 pub(super) const MAX_GROWTH: f64 = 1.5;
+
 pub(super) const ANGLE_MARGIN: f64 = 1.02;
 
 /// A round that leaves more than this part of the excess is the last one.
@@ -147,7 +147,7 @@ fn meshes_of(
         });
         let meshes = meshes.into_iter().collect::<Result<Vec<Mesh>, GeomError>>()?;
         round += 1;
-        if !limits.limits_angle() || MAX_ROUNDS <= round {
+        if !limits.limits_angle() || TESSELLATION_ROUNDS <= round {
             return Ok(SheetMeshes { meshes, edges });
         }
         let mut is_done = true;

@@ -16,12 +16,12 @@ use super::{
     chord::chord_deviation,
     even_plane::EvenPlane,
     surface_patch::{Cells, SurfacePatch},
-    tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, MAX_ROUNDS, check_rounding, widest_turn},
+    tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
     CountError, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
-    ceiling::PARAMETER_HALVINGS,
+    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
 
@@ -105,7 +105,7 @@ impl<'a> PartsTessellation<'a> {
             let mesh = own.mesh()?;
             let excess = widest_turn(&mesh, options.tolerance) / options.angle;
             let is_done = !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * last <= excess;
-            if is_done || MAX_ROUNDS <= round {
+            if is_done || TESSELLATION_ROUNDS <= round {
                 return Ok((own, mesh));
             }
             sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);

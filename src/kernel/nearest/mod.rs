@@ -22,7 +22,7 @@ use super::{
     Grid, KnotVector,
     tolerance::{LAST_BIT, NEAREST_RELATIVE},
 };
-use crate::{Direction, work};
+use crate::{Direction, ceiling::NEAREST_LENIENCIES, ceiling::PATCH_HALVINGS, work};
 use gap::DistanceBounds;
 use patch::BezierPatch;
 pub(crate) use patch::{FootVector, PatchPart, descend};
@@ -34,9 +34,8 @@ use tree::PatchTree;
 /// equally near, askew to the parameters, are there that many.
 const MANY_PARTS: usize = 1000;
 
-/// How many times less the search is content with after that many parts, and how often that is said at most.
+/// How many times less the search is content with after that many parts.
 const LENIENCY: f64 = 8.0;
-const MOST_LENIENCIES: usize = 4;
 
 /// Parts after which planes too are tried to keep a part away, and whatever comes nearer is gone down from.
 const EASY_PARTS: usize = MANY_PARTS / 8;
@@ -49,9 +48,6 @@ const COORDINATE_ROUNDINGS: f64 = 16.0;
 
 /// Fourth powers of larger coordinates have no place among the numbers.
 const LARGE: f64 = (1_u128 << 120) as f64 * (1_u128 << 120) as f64;
-
-/// Halvings of a patch along one direction, to the last bits of its parameter.
-const MAX_HALVINGS: u8 = 48;
 
 /// A tensor-product spline prepared to be searched; a curve has a single column.
 #[derive(Debug)]
@@ -210,7 +206,7 @@ impl ClosestPointSearch<'_> {
         match self.wanted {
             SearchTarget::AllWithin(tolerance) => self.best + tolerance,
             SearchTarget::One => {
-                let many = (self.n_parts / MANY_PARTS).min(MOST_LENIENCIES);
+                let many = (self.n_parts / MANY_PARTS).min(NEAREST_LENIENCIES);
                 let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
                 self.best - self.rounding * leniency
             }
@@ -298,7 +294,7 @@ impl ClosestPointSearch<'_> {
                 return None;
             }
         }
-        self.gap.direction_to_halve(cell.n_halvings, MAX_HALVINGS)
+        self.gap.direction_to_halve(cell.n_halvings, PATCH_HALVINGS)
     }
 
     /// Whether all of the part is as far away as the nearest, up to the rounding of coordinates.

@@ -7,13 +7,10 @@
 use super::{bisection, newton::within_bracket};
 use crate::{
     Interval, bernstein,
-    ceiling::{BISECTIONS, SIGN_PARTS},
+    ceiling::{BISECTIONS, ROOT_CLUSTER_HALVINGS, SIGN_PARTS},
     tolerance::LAST_BIT,
     work,
 };
-
-/// Halvings of an interval in which several roots cannot be told apart.
-const MAX_HALVINGS: usize = 40;
 
 /// Follows the sign of a piecewise polynomial along its pieces, in order, and notes where it
 /// changes.
@@ -43,7 +40,7 @@ impl Signs {
                 self.zero_from.get_or_insert(interval.at(part.start()));
                 continue;
             };
-            if n_changes > 1 && n_halvings < MAX_HALVINGS && n_parts < SIGN_PARTS {
+            if n_changes > 1 && n_halvings < ROOT_CLUSTER_HALVINGS && n_parts < SIGN_PARTS {
                 let [left, right] = bernstein::halves(&coefficients);
                 let [before, behind] = part.halves();
                 todo.push((behind, right, n_halvings + 1));

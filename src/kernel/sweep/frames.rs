@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use crate::{
     GeomError, InputError, LocalError, NurbsCurve, Side,
+    ceiling::FRAME_DOUBLINGS,
     frame::{across, norm, unit},
     tolerance::{TURN_ACCURACY, VANISHING_RELATIVE},
 };
@@ -72,9 +73,6 @@ const STRAIGHT: f64 = TURN_ACCURACY;
 
 /// Steps of a span between two looks at the accuracy.
 const FIRST_STEPS: usize = 16;
-
-/// Doublings of the number of steps.
-const MAX_DOUBLINGS: usize = 7;
 
 /// Halvings of a step after which what still turns around in it does so at once.
 const FLIP_HALVINGS: usize = 20;
@@ -160,7 +158,7 @@ impl Frames {
         let mut n_steps = FIRST_STEPS;
         frames.walk(n_steps)?;
         if rule == FrameRule::RotationMinimizing {
-            for _ in 0..MAX_DOUBLINGS {
+            for _ in 0..FRAME_DOUBLINGS {
                 let before = frames.last();
                 n_steps *= 2;
                 frames.walk(n_steps)?;

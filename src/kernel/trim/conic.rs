@@ -10,18 +10,13 @@ use glam::{DVec2, DVec3, DVec4};
 use super::pull::chebyshev_fraction;
 use crate::{
     Frame, KnotVector, NurbsCurve, NurbsSurface,
+    ceiling::{CONIC_PLACES, CONIC_SPANS},
     numeric::linear::solved,
     tolerance::{CONIC_PART, CONIC_RELATIVE, CONIC_SHARE},
 };
 
-/// Spans of an arc of which a conic is made.
-const MOST_SPANS: usize = 256;
-
 /// About where on a piece the conic goes through places.
 const THROUGH: [f64; 3] = [0.25, 0.75, 0.5];
-
-/// Places within each span of an arc in which the conic is compared at most.
-const MOST_COMPARED: usize = 16;
 
 /// Weights in the middle and at the end of a piece, where that at its start is one.
 const WEIGHTS: [f64; 2] = [0.2, 5.0];
@@ -29,7 +24,7 @@ const WEIGHTS: [f64; 2] = [0.2, 5.0];
 /// The curve in space along an arc of parameters at its own parameters, where that is made of conics up to rounding.
 pub(super) fn conic_of(surface: &NurbsSurface, arc: &NurbsCurve) -> Option<NurbsCurve> {
     let breaks = arc.knots().breaks();
-    if MOST_SPANS < breaks.len() {
+    if CONIC_SPANS < breaks.len() {
         return None;
     }
     let (u, v) = (surface.domain_u(), surface.domain_v());
@@ -40,7 +35,7 @@ pub(super) fn conic_of(surface: &NurbsSurface, arc: &NurbsCurve) -> Option<Nurbs
     let allowed = CONIC_RELATIVE * surface.bounds().magnitude();
     // What is left of the difference from a conic vanishes in no more places of a span than its degree.
     let degree = arc.degree() * (surface.degree_u() + surface.degree_v()) + 2;
-    let n_compared = MOST_COMPARED.min(degree + 1);
+    let n_compared = CONIC_PLACES.min(degree + 1);
     let mut pieces: Vec<(f64, [DVec4; 3])> = Vec::new();
     let mut from = 0;
     while from + 1 < breaks.len() {

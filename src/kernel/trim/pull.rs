@@ -12,7 +12,7 @@ use glam::DVec3;
 use super::{FaceError, plane::ParameterPlane};
 use crate::{
     FitError, GeomError, Interval, NurbsCurve,
-    ceiling::{PARAMETER_HALVINGS, PIECES},
+    ceiling::{PARAMETER_HALVINGS, PIECES, SEAM_JUMPS},
     curve::join_pieces,
     frame::norm,
     lagrange,
@@ -35,9 +35,6 @@ const PIECE_BITS: f64 = 64.0;
 
 /// Last bits of that which rounding may take of a place where a height vanishes steeply.
 const HEIGHT_BITS: f64 = 8.0;
-
-/// Jumps that may follow one another between two steps: over either seam, and one more.
-const MOST_JUMPS: usize = 3;
 
 /// Where a piece is compared between the points that it goes through.
 pub(super) const COMPARED: [f64; 4] = [0.12, 0.36, 0.64, 0.95];
@@ -258,7 +255,7 @@ impl PulledCurve<'_> {
             }
             let from = before.0;
             // Where seams cross one jump comes close behind another.
-            for _ in 0..MOST_JUMPS {
+            for _ in 0..SEAM_JUMPS {
                 let Some((low, high)) = self.jump_between(before, here)? else { break };
                 // Up to the last digits of a pole either place is as good, so that a jump seen there comes late.
                 let pole = self.through_pole(low.1, [from, t])?;

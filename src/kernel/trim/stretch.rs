@@ -5,13 +5,11 @@ use glam::DVec3;
 use super::pull::{COMPARED, JOINT_SHARE, PulledCurve, Section};
 use crate::{
     GeomError, NurbsCurve,
+    ceiling::KNOT_STEPS,
     frame::norm,
     sorting::sort_by,
     tolerance::{PARAMETER_RELATIVE, PULL_SHARE},
 };
-
-/// Steps onto a knot of the surface.
-const MOST_KNOT_STEPS: usize = 40;
 
 impl PulledCurve<'_> {
     /// Stops with those between them at which the arc goes over a knot of the surface: there it is less smooth.
@@ -49,7 +47,7 @@ impl PulledCurve<'_> {
     ) -> Result<Option<(f64, DVec3)>, GeomError> {
         let (mut of_low, mut of_high) = (low.1[i] - line, high.1[i] - line);
         let mut last = 0.0;
-        for _ in 0..MOST_KNOT_STEPS {
+        for _ in 0..KNOT_STEPS {
             let share = of_low / (of_low - of_high);
             let t = low.0 + (high.0 - low.0) * share;
             let mut place = self.place_between(t, low.1.lerp(high.1, share))?.0;

@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::{
     Bounds, FitError, GeomError, Interval, JumpError,
-    ceiling::PIECES,
+    ceiling::{FUNCTION_BREAKS, PIECES, SINGULAR_HALVINGS},
     curve::{
         NurbsCurve, ParametricCurve,
         construction::hermite::{self, HermiteNode},
@@ -38,9 +38,6 @@ const SAFETY: f64 = 0.5;
 /// Fractions of a domain at which a function is not singular but by chance.
 const PROBES: [f64; 3] = [0.414_213_562, 0.732_050_808, 0.123_105_626];
 
-/// Places where a function may lack derivatives.
-const MAX_BREAKS: usize = 64;
-
 /// By how much a stand-in becomes coarser where a function computes too few digits.
 const COARSER: f64 = 100.0;
 
@@ -52,9 +49,6 @@ const NARROWEST: f64 = 2.0;
 
 /// What makes a whole number of one with twelve decimals.
 const DIGITS: f64 = 1e12;
-
-/// Halvings of a piece with a singular place: all bits of an `f64`.
-const MAX_HALVINGS: usize = 120;
 
 impl ParametricCurve {
     /// A quintic spline on the same domain whose points are within `tolerance` of the function's
@@ -181,7 +175,7 @@ impl HermiteFit<'_> {
             match self.stretch(start, end) {
                 Ok(nodes) => stretches.push(nodes),
                 Err(HermiteFailure::Error(error)) => return Err(error),
-                Err(HermiteFailure::Break(at)) if MAX_BREAKS < breaks.len() => {
+                Err(HermiteFailure::Break(at)) if FUNCTION_BREAKS < breaks.len() => {
                     return Err(self.not_near(at));
                 }
                 Err(HermiteFailure::Break(at)) => breaks.insert(i + 1, at),
@@ -252,7 +246,7 @@ impl HermiteFit<'_> {
     ) -> Result<(), HermiteFailure> {
         let whole = b.parameter - a.parameter;
         let (mut low, mut high) = (a.clone(), b.clone());
-        for n_halvings in 0..MAX_HALVINGS {
+        for n_halvings in 0..SINGULAR_HALVINGS {
             let middle = 0.5 * (low.parameter + high.parameter);
             let width = high.parameter - low.parameter;
             if width <= LAST_BIT * middle.abs().max(ends[1] - ends[0]) {

@@ -12,14 +12,12 @@ use crate::{
     Frame, Tolerance,
     bernstein::{derivative, product},
     bezier,
+    ceiling::HALF_TURN_HALVINGS,
     curve::NurbsCurve,
     frame::{norm, unit},
     homogeneous,
     tolerance::{ANALYTIC_RELATIVE, LAST_BIT, SIGN_RELATIVE},
 };
-
-/// Halvings of a piece until it goes by less than half a turn, which its control points show.
-const MAX_HALVINGS: usize = 6;
 
 /// Last bits of the radius that the equation of a circle may lose.
 const ROUNDINGS: f64 = 4.0;
@@ -132,7 +130,7 @@ impl NurbsCurve {
             if !is_flat || !is_round(&local, radius, allowed) {
                 return None;
             }
-            let part = turn_of(&local, MAX_HALVINGS)?;
+            let part = turn_of(&local, HALF_TURN_HALVINGS)?;
             if part * turn < 0.0 {
                 return None;
             }

@@ -7,7 +7,7 @@ use glam::{DAffine3, DVec4};
 use crate::{
     Bounds, Grid, Interval, KnotVector,
     bezier::{blend, cut_at},
-    ceiling::{LENGTH_PIECES, TURN_CUTS},
+    ceiling::{LENGTH_HALVINGS, LENGTH_PIECES, TURN_CUTS},
     curve::{NurbsCurve, representation::part::CurvePart},
     frame::norm,
     hull::TensorSpline,
@@ -15,10 +15,6 @@ use crate::{
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
     work,
 };
-
-/// Halvings of a piece whose length does not settle: enough for a cusp, whose error falls by four
-/// with each.
-const MAX_HALVINGS: usize = 40;
 
 /// Pieces of one span of any degree.
 const LEAST_PIECES: usize = 100;
@@ -131,7 +127,7 @@ impl NurbsCurve {
             && let Some((part, n_halvings)) = todo.pop()
         {
             let is_smooth = part.cone().is_narrow() || part.bounds.diagonal() <= short;
-            if is_smooth || MAX_HALVINGS <= n_halvings || most <= n_cuts {
+            if is_smooth || LENGTH_HALVINGS <= n_halvings || most <= n_cuts {
                 parts.push(part);
             } else {
                 n_cuts += 1;
@@ -180,7 +176,7 @@ fn refined_part(points: Vec<DVec4>, estimate: f64, accuracy: f64, most: usize) -
         let lengths = [&left, &right].map(|half| length_by_rule(half));
         let sum = lengths[0] + lengths[1];
         n_pieces += 1;
-        let may_halve = n_halvings < MAX_HALVINGS && n_pieces < most;
+        let may_halve = n_halvings < LENGTH_HALVINGS && n_pieces < most;
         // In this order a sum that is no number ends the search.
         if may_halve && accuracy < (sum - estimate).abs() {
             todo.push((right, lengths[1], n_halvings + 1));
@@ -221,7 +217,7 @@ fn refined(
         let lengths = halves.map(|half| quadrature(speed, half));
         let sum = lengths[0] + lengths[1];
         n_pieces += 1;
-        let may_halve = n_halvings < MAX_HALVINGS && n_pieces < most;
+        let may_halve = n_halvings < LENGTH_HALVINGS && n_pieces < most;
         // In this order a sum that is no number ends the search.
         if may_halve && accuracy < (sum - estimate).abs() {
             let half = |i: usize| (halves[i], lengths[i], n_halvings + 1);

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use crate::{
     Bounds, GeomError, Interval, Tolerance,
-    ceiling::BISECTIONS,
+    ceiling::{BISECTIONS, FOLLOWING_HALVINGS},
     curve::{
         NurbsCurve, ParametricCurve, construction::hermite::blossom_weights, evaluation::series,
     },
@@ -21,9 +21,6 @@ use crate::{
 
 /// Order of the Taylor series that polynomials are made of.
 const ORDER: usize = 3;
-
-/// Halvings of a piece of the spline to follow a number along it.
-const MAX_HALVINGS: usize = 8;
 
 /// Places of a piece at which a polynomial is compared.
 const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
@@ -183,7 +180,7 @@ impl ParametricCurve {
                 }
                 Ok(true)
             };
-            if MAX_HALVINGS <= n_halvings || is_near()? {
+            if FOLLOWING_HALVINGS <= n_halvings || is_near()? {
                 signs.follow(part, &coefficients, SIGN_RELATIVE * size.max(middle.size));
             } else {
                 let [before, behind] = part.halves();

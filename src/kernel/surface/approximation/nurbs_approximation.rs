@@ -11,7 +11,7 @@ use glam::DVec3;
 
 use crate::{
     Bounds, Direction, FitError, GeomError, Grid, JumpError,
-    ceiling::STAND_IN_CELLS,
+    ceiling::{CREASE_HALVINGS, CREASES, STAND_IN_CELLS},
     frame::norm,
     surface::{
         NurbsSurface, ParametricSurface,
@@ -39,12 +39,6 @@ const COARSER: f64 = 1e3;
 
 /// Halvings that make a smooth cell near.
 const SMOOTH_HALVINGS: usize = 4;
-
-/// Halvings of a cell with a crease: all bits of an `f64`.
-const MAX_HALVINGS: usize = 60;
-
-/// Lines along which derivatives may jump.
-const MAX_CREASES: usize = 32;
 
 impl ParametricSurface {
     /// A biquintic spline on the same domain whose points are within `tolerance` of the
@@ -280,13 +274,11 @@ impl KnotLineFit<'_> {
         if SUSPICIOUS_CELL_RELATIVE * lines.domain.length() < width {
             return Ok(false);
         }
-        if width <= 2.0 * KNOT_RELATIVE * lines.domain.length()
-            || MAX_CREASES <= lines.creases.len()
-        {
+        if width <= 2.0 * KNOT_RELATIVE * lines.domain.length() || CREASES <= lines.creases.len() {
             return Err(self.not_near(cell.u[0], cell.v[0]));
         }
         let ([mut low, mut high], resolution) = (places, lines.step(ends[0]));
-        for n_halvings in 0..MAX_HALVINGS {
+        for n_halvings in 0..CREASE_HALVINGS {
             let middle = 0.5 * (low + high);
             if high - low <= resolution {
                 break;

@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use crate::{
     Bounds, GeomError, Grid, Interval, KnotVector, Tolerance,
-    ceiling::{BISECTIONS, FOLD_PARTS},
+    ceiling::{BISECTIONS, DEFECT_HALVINGS, FOLD_PARTS, FOLDS_TOLD},
     frame::{norm, unit},
     numeric::bisection::try_bisected,
     surface::{
@@ -21,12 +21,8 @@ const PLACES: usize = 64;
 const FEWEST: usize = 3;
 const MOST: usize = 32;
 
-/// Folds that are told; more are more of the same.
-const MAX_FOLDS: usize = 8;
-
-/// Parts of a patch are halved this often before their corners tell a fold, and at most.
+/// Parts of a patch are halved this often before their corners tell a fold.
 const LEAST_HALVINGS: usize = 10;
-const MAX_HALVINGS: usize = 40;
 
 /// Where a surface is not regular.
 ///
@@ -144,7 +140,7 @@ impl Surface {
                 let below = last.get(j).and_then(Option::as_ref).filter(|_| !begins_u);
                 let before = row.last().and_then(Option::as_ref).filter(|_| !begins_v);
                 for beside in [below, before].into_iter().flatten() {
-                    if folds.len() < MAX_FOLDS && are_opposite(beside, &here) {
+                    if folds.len() < FOLDS_TOLD && are_opposite(beside, &here) {
                         folds.extend(self.turning_place(beside, &here)?);
                     }
                 }
@@ -168,7 +164,7 @@ impl Surface {
             && let Some((part, n_halvings)) = todo.pop()
         {
             n_parts += 1;
-            if FOLD_PARTS < n_parts || folds.len() == MAX_FOLDS {
+            if FOLD_PARTS < n_parts || folds.len() == FOLDS_TOLD {
                 break;
             }
             if part.is_regular() {
@@ -178,7 +174,7 @@ impl Surface {
                 Some([a, b]) if LEAST_HALVINGS <= n_halvings => {
                     folds.extend(self.turning_place(&a, &b)?);
                 }
-                _ if n_halvings < MAX_HALVINGS => {
+                _ if n_halvings < DEFECT_HALVINGS => {
                     todo.extend(part.halves().map(|half| (half, n_halvings + 1)));
                 }
                 _ => {}

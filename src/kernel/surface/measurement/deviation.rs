@@ -1,8 +1,8 @@
 //! How far a surface is from another surface, or from a mesh.
 
 use crate::{
-    Deviation, DeviationReference, GeomError, KnotVector, ceiling::SURFACE_CLIMB_STEPS,
-    numeric::pattern_search::climbed, surface::Surface,
+    Deviation, DeviationReference, GeomError, KnotVector, ceiling::DEVIATION_PARTS,
+    ceiling::SURFACE_CLIMB_STEPS, numeric::pattern_search::climbed, surface::Surface,
 };
 
 /// Even parts of a domain, all its pieces together, at whose ends the distance is measured.
@@ -11,10 +11,9 @@ const PARTS: usize = 24;
 /// The same where the other surface is a function, for which a nearest place is a long search.
 const PARTS_BY_FUNCTION: usize = 12;
 
-/// Parts for each triangle of a mesh along one direction, and of all of them at most: between the
+/// Parts for each triangle of a mesh along one direction, up to `DEVIATION_PARTS` of all of them: between the
 /// places are hills of the size of triangles.
 const PARTS_OF_TRIANGLE: f64 = 3.0;
-const MOST_PARTS: usize = 1000;
 
 impl Surface {
     /// How far this surface is from another one or from a mesh: its places on a grid, and from the
@@ -28,7 +27,7 @@ impl Surface {
             DeviationReference::Surface(_) => PARTS,
             DeviationReference::Mesh(mesh) => {
                 let parts = PARTS_OF_TRIANGLE * (mesh.n_triangles() as f64).sqrt();
-                (parts as usize).clamp(PARTS, MOST_PARTS)
+                (parts as usize).clamp(PARTS, DEVIATION_PARTS)
             }
         };
         let (us, vs) = self.places_for(parts);

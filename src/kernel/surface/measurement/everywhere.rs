@@ -8,12 +8,11 @@
 use glam::DVec3;
 
 use crate::{
-    GeomError, Interval, KnotVector, LocalError, Tolerance, curve, homogeneous,
+    GeomError, Interval, KnotVector, LocalError, Tolerance,
+    ceiling::PATCH_PLACES,
+    curve, homogeneous,
     surface::{NurbsSurface, Surface, SurfaceShape},
 };
-
-/// Places of a patch in each direction, at most: more than eight times the degree up to 8.
-const MOST_PLACES: usize = 65;
 
 /// Places of a function in each direction.
 const FUNCTION_PLACES: usize = 49;
@@ -96,7 +95,7 @@ impl Surface {
         match self {
             Self::Nurbs(surface) => {
                 let of_knots = |knots: &KnotVector| {
-                    let n = (8 * knots.degree() + 1).min(MOST_PLACES);
+                    let n = (8 * knots.degree() + 1).min(PATCH_PLACES);
                     knots.spans().flat_map(|span| inside(knots.span_interval(span), n)).collect()
                 };
                 (of_knots(surface.knots_u()), of_knots(surface.knots_v()))

@@ -11,7 +11,7 @@ use glam::{DMat2, DVec2};
 
 use crate::{
     GeomError, Interval, KnotVector, Tolerance,
-    ceiling::{UMBILIC_STEP_HALVINGS, UMBILIC_STEPS},
+    ceiling::{SLOW_UMBILIC_STEPS, UMBILIC_STEP_HALVINGS, UMBILIC_STEPS},
     numeric::newton::shortened,
     surface::{Edge, Surface, SurfaceDefects},
     tolerance::{
@@ -24,9 +24,8 @@ const PLACES: usize = 64;
 const FEWEST: usize = 4;
 const MOST: usize = 32;
 
-/// A step is slow where it leaves more than this share; so many slow ones lead nowhere.
+/// A step is slow where it leaves more than this share.
 const SLOW: f64 = 0.9;
-const MAX_SLOW: usize = 3;
 
 /// Rectangles beyond its own that a search may go to.
 const BEYOND: f64 = 1.0;
@@ -273,7 +272,7 @@ fn descend(
         let Some(better) = next else { break };
         n_slow = if SLOW * last.size() < better.size() { n_slow + 1 } else { 0 };
         last = better;
-        if MAX_SLOW <= n_slow {
+        if SLOW_UMBILIC_STEPS <= n_slow {
             break;
         }
         slopes = slopes_at(&last)?;

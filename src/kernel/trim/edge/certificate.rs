@@ -19,6 +19,7 @@ use glam::{DVec3, DVec4};
 use super::piece::{Carrier, CarrierPatch, CurvePiece, Residual};
 use crate::{
     Grid, Interval, bernstein,
+    ceiling::{BOX_WIDENINGS, CERTIFICATE_HALVINGS},
     frame::unit,
     numeric::{
         enclosure::{outward, product, quotient, sum},
@@ -27,12 +28,6 @@ use crate::{
     tolerance::LAST_BIT,
     work,
 };
-
-/// Halvings of a piece after which it is not proven.
-const MAX_HALVINGS: usize = 20;
-
-/// Times that a box is made larger, because derivatives over it ask for more room.
-const MAX_WIDENINGS: usize = 4;
 
 /// How far beyond a patch, by its width, its polynomials are asked.
 const FURTHEST: f64 = 1.0;
@@ -51,7 +46,7 @@ pub(super) fn radius(carriers: &[Carrier<'_>; 2], piece: CurvePiece, limit: f64)
         }
         match contracted(carriers, &piece).filter(|&radius| radius <= limit) {
             Some(radius) => most = most.max(radius),
-            None if n_halvings == MAX_HALVINGS => return None,
+            None if n_halvings == CERTIFICATE_HALVINGS => return None,
             None => todo.extend(piece.halves().map(|half| (half, n_halvings + 1))),
         }
     }
@@ -79,7 +74,7 @@ fn contracted(carriers: &[Carrier<'_>; 2], piece: &CurvePiece) -> Option<f64> {
     });
     let rounding = |i: usize| 4.0 * LAST_BIT * ranges[i][0].abs().max(ranges[i][1].abs());
     let mut box_radii: [f64; 4] = std::array::from_fn(|i| 2.0 * rest[i] + rounding(i));
-    for _ in 0..MAX_WIDENINGS {
+    for _ in 0..BOX_WIDENINGS {
         let slopes = [0, 1].map(|surface| {
             let around = |i: usize| {
                 let [low, high] = ranges[2 * surface + i];

@@ -12,6 +12,7 @@ use crate::{
     Interval, Side,
     bernstein::{derivative, halves, largest, product},
     bezier,
+    ceiling::CUSP_HALVINGS,
     curve::{
         NurbsCurve,
         intersection::bend::{add, longest},
@@ -23,9 +24,6 @@ use crate::{
 
 /// The speed varies by no more than this in a part that is looked at; it enters in the sixth power.
 const MOST_VARIATION: f64 = 4.0;
-
-/// Halvings towards a place where the curve itself stands still.
-const MAX_HALVINGS: usize = 40;
 
 /// Part of a piece: V flat about the normal, and w.
 struct PieceRange {
@@ -51,7 +49,7 @@ pub(super) fn cusps(curve: &NurbsCurve, aim: CurveOffsetTarget) -> Vec<f64> {
             let fastest = longest(&part.velocity);
             let along = part.velocity.iter().sum::<DVec3>().normalize_or_zero();
             let slowest = part.velocity.iter().map(|v| v.dot(along)).fold(f64::INFINITY, f64::min);
-            if slowest * MOST_VARIATION < fastest && part.n_halvings < MAX_HALVINGS {
+            if slowest * MOST_VARIATION < fastest && part.n_halvings < CUSP_HALVINGS {
                 todo.extend(part.halves());
                 continue;
             }

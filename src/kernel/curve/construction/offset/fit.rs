@@ -6,13 +6,11 @@ use super::{CurveOffsetTarget, unweighted};
 use crate::{
     ConstructionError, CountError, GeomError, Interval, KnotVector, NurbsCurve,
     bernstein::{binomials, derivative, product},
-    bezier, homogeneous,
+    bezier,
+    ceiling::OFFSET_HALVINGS,
+    homogeneous,
     tolerance::VANISHING_RELATIVE,
 };
-
-/// Halvings of a span before its offset counts as having no direction there: their knots are still
-/// told apart.
-const MAX_HALVINGS: usize = 38;
 
 /// Point, first and second derivative.
 type SecondOrderPoint = [DVec3; 3];
@@ -32,7 +30,7 @@ pub(super) fn pieces(
             if deviation(&points, &fitted, aim) <= aim.accuracy {
                 let knots = KnotVector::bezier(5)?.on(interval);
                 pieces.push(NurbsCurve::new(knots, unweighted(&fitted))?);
-            } else if n_halvings == MAX_HALVINGS {
+            } else if n_halvings == OFFSET_HALVINGS {
                 return Err(ConstructionError::NoOffset { parameter: interval.at(0.5) }.into());
             } else {
                 let (left, right) = bezier::cut_at(&points, 0.5);

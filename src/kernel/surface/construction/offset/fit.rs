@@ -4,7 +4,8 @@ use glam::{DVec3, DVec4};
 
 use crate::{
     Direction, FitError, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface,
-    Surface, ceiling::OFFSET_PATCHES,
+    Surface,
+    ceiling::{OFFSET_LINES, OFFSET_PATCHES},
 };
 
 /// Degree of the spline.
@@ -18,9 +19,6 @@ const SAFETY: f64 = 0.5;
 
 /// Spans that a function begins with, which has no knots.
 const FUNCTION_SPANS: usize = 4;
-
-/// Lines across on which knots are looked for at first.
-const MAX_LINES: usize = 17;
 
 /// What the offset needs to know besides the knots.
 #[derive(Clone, Copy)]
@@ -219,7 +217,7 @@ fn lines_across(knots: &KnotVector) -> Vec<f64> {
     let middles = breaks.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
     let mut lines: Vec<f64> = breaks.iter().copied().chain(middles).collect();
     lines.sort_by(f64::total_cmp);
-    let step = lines.len().div_ceil(MAX_LINES);
+    let step = lines.len().div_ceil(OFFSET_LINES);
     lines.into_iter().step_by(step).collect()
 }
 

@@ -2,16 +2,16 @@
 
 use glam::DVec3;
 
-use crate::{Direction, GeomError, Surface, ceiling::BEND_CLIMB_STEPS};
+use crate::{
+    Direction, GeomError, Surface,
+    ceiling::{BEND_CLIMB_STEPS, OFFSET_PLACES},
+};
 
 /// Places of a span, along each direction, at which the bend is measured.
 const N_PLACES: usize = 4;
 
 /// Spans of a direction that a function counts as, which has no knots.
 const FUNCTION_SPANS: usize = 8;
-
-/// Places along a direction beyond which a span has but one.
-const MAX_PLACES: usize = 128;
 
 /// A place where the surface bends around a centre that the offset passes.
 ///
@@ -85,7 +85,7 @@ fn places(surface: &Surface, along: Direction) -> Vec<f64> {
             steps.windows(2).filter_map(between).collect::<Vec<_>>()
         }
     };
-    let n = if MAX_PLACES < spans.len() * N_PLACES { 1 } else { N_PLACES };
+    let n = if OFFSET_PLACES < spans.len() * N_PLACES { 1 } else { N_PLACES };
     let inner = |i: usize| (i as f64 + 0.5) / n as f64;
     spans.iter().flat_map(|span| (0..n).map(move |i| span.at(inner(i)))).collect()
 }

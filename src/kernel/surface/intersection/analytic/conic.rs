@@ -17,15 +17,13 @@ use glam::{DVec2, DVec3, DVec4};
 use self::{carrier::ExactCarrier, plane_conic::PlaneConic};
 use crate::{
     Frame, Interval, KnotVector, NurbsCurve, NurbsSurface,
+    ceiling::CONIC_HALVINGS,
     frame::angle_between,
     tolerance::{ANALYTIC_RELATIVE, KNOT_RELATIVE},
 };
 
 /// Even parts of each span of a curve between which it turns by less than half a turn.
 const PARTS: usize = 4;
-
-/// Halvings of a piece after which a curve is left as it was found.
-const MAX_HALVINGS: usize = 8;
 
 /// The largest weight in the middle of a piece whose ends have weight one: beyond it the parameter runs unevenly.
 const LARGEST_WEIGHT: f64 = 2.0;
@@ -175,7 +173,7 @@ impl ConicSearch<'_> {
                 pieces.push((interval, points.map(|(place, weight)| conic.point(place, weight))));
                 continue;
             }
-            if n_halvings == MAX_HALVINGS {
+            if n_halvings == CONIC_HALVINGS {
                 return None;
             }
             let t = 0.5 * (interval[0] + interval[1]);

@@ -24,13 +24,10 @@ use glam::DVec4;
 
 use crate::{
     Direction, Frame, Grid, bezier,
-    ceiling::QUADRIC_WORK,
+    ceiling::{QUADRIC_WORK, SIGN_HALVINGS},
     surface::{NurbsSurface, intersection::square::range},
     tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
 };
-
-/// Halvings, along u and v in turns, after which a patch has not told the sign of something.
-const MAX_HALVINGS: usize = 4;
 
 /// A surface with an equation, in the coordinates of a frame.
 ///
@@ -134,7 +131,7 @@ impl NurbsSurface {
         for span_u in self.knots_u.spans() {
             for span_v in self.knots_v.spans() {
                 let net = bezier::patch(knots, &self.control_points, span_u, span_v);
-                let sign = sign_on(&net, &field, MAX_HALVINGS)?;
+                let sign = sign_on(&net, &field, SIGN_HALVINGS)?;
                 if found.is_some_and(|found: f64| found * sign < 0.0) {
                     return None;
                 }

@@ -10,7 +10,7 @@ use glam::{DAffine3, DMat3, DVec3, DVec4};
 use super::equation::{OTHERS, QuadricEquation, ROUND};
 use crate::{
     Grid, NurbsSurface, bezier,
-    ceiling::QUADRIC_WORK,
+    ceiling::{QUADRIC_PARTS, QUADRIC_WORK},
     numeric::singular_values::singular_values,
     surface::intersection::square::product,
     tolerance::{ANALYTIC_RELATIVE, RANK_RELATIVE},
@@ -114,7 +114,7 @@ impl NurbsSurface {
         // Twice the degree and one more tell a polynomial of twice the degree.
         let counts =
             [(self.degree_u(), self.n_patches()[0]), (self.degree_v(), self.n_patches()[1])]
-                .map(|(degree, n_spans)| (2 * degree * n_spans).clamp(MIN_PARTS, MAX_PARTS));
+                .map(|(degree, n_spans)| (2 * degree * n_spans).clamp(MIN_PARTS, QUADRIC_PARTS));
         let (us, vs) = (self.domain_u().steps(counts[0]), self.domain_v().steps(counts[1]));
         self.points_on_grid(&us, &vs).as_slice().to_vec()
     }
@@ -145,7 +145,6 @@ impl NurbsSurface {
 
 /// Even parts of a domain at whose ends points are taken.
 const MIN_PARTS: usize = 8;
-const MAX_PARTS: usize = 24;
 
 /// How points spread.
 struct Spread {

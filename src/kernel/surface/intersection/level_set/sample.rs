@@ -8,10 +8,12 @@ use super::{
     cubic::CubicSegment,
     error::PictureError,
 };
-use crate::{GeomError, NurbsSurface, ceiling::BRANCH_SAMPLES, frame::unit, work};
-
-/// Halvings of the stretch between two samples.
-const MAX_HALVINGS: usize = 24;
+use crate::{
+    GeomError, NurbsSurface,
+    ceiling::{BRANCH_SAMPLES, SAMPLE_HALVINGS},
+    frame::unit,
+    work,
+};
 
 /// Samples are so dense that the tangent turns from one to the next by less than about half of
 /// a right angle: the square of the chord between the unit tangents.
@@ -100,7 +102,7 @@ impl BranchSamples {
                 let (u, v) = (patch.domain_u().at(u), patch.domain_v().at(v));
                 return Err(PictureError::Unresolved { u, v }.into());
             }
-            if n_halvings < MAX_HALVINGS && !follows(&inside, tolerance) {
+            if n_halvings < SAMPLE_HALVINGS && !follows(&inside, tolerance) {
                 todo.extend(halves(ends, inside, n_halvings + 1));
             } else {
                 samples.push(inside[4]);

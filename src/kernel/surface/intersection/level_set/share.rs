@@ -19,12 +19,9 @@ use super::{
 };
 use crate::{
     Bounds, GeomError, NurbsSurface,
-    ceiling::{CONTACT_LOOKS, SURFACE_PAIRS},
+    ceiling::{CONTACT_LOOKS, CONTACTS, SURFACE_PAIRS},
     tolerance::{CONTACT_SHARE, FLAT_SHARE},
 };
-
-/// Contacts that make up touches in points; more make up areas or lines.
-const MOST_CONTACTS: usize = 1000;
 
 /// Parts of the tolerance within which surfaces touch whose normals are parallel, if with less it
 /// cannot be told where they cross.
@@ -199,7 +196,7 @@ fn spots(
 ) -> Result<Vec<VanishingPlace>, GeomError> {
     let places: Vec<(DVec3, f64)> =
         contacts.iter().map(|(bounds, _)| (bounds.center(), 0.5 * bounds.diagonal())).collect();
-    if MOST_CONTACTS < places.len() {
+    if CONTACTS < places.len() {
         return Err(PictureError::SurfacesRunTogether { point: places[0].0 }.into());
     }
     let mut group: Vec<usize> = (0..places.len()).collect();
