@@ -108,11 +108,13 @@ pub(crate) struct Intake {
     pub(crate) kept: HeldValue,
     /// Lists and records around the one that is read.
     depth: u32,
+    /// Values that were read.
+    n_values: usize,
 }
 
 impl Default for Intake {
     fn default() -> Self {
-        Self { kept: HeldValue::from(Value::None), depth: 0 }
+        Self { kept: HeldValue::from(Value::None), depth: 0, n_values: 0 }
     }
 }
 
@@ -125,6 +127,24 @@ impl Intake {
             return Err(PyValueError::new_err(told));
         }
         self.depth += 1;
+        Ok(())
+    }
+
+    /// Counts one value more: lists that share their parts have more of them than memory.
+    fn count(&mut self, py: Python<'_>) -> PyResult<()> {
+        /// Values between two looks whether somebody wants it to end.
+        const STRIDE: usize = 4096;
+        /// Types that an element may be tried as.
+        const TRIES: usize = 4;
+        self.n_values += 1;
+        if self.n_values.is_multiple_of(STRIDE) {
+            py.check_signals()?;
+        }
+        let most = Limits::DEFAULT.list_length;
+        if TRIES * most < self.n_values {
+            let told = format!("a value has more than {most} parts, counted wherever they stand");
+            return Err(PyValueError::new_err(told));
+        }
         Ok(())
     }
 
@@ -143,6 +163,7 @@ pub(crate) fn from_python(
     ty: Type,
     intake: &mut Intake,
 ) -> PyResult<Value> {
+    intake.count(given.py())?;
     if given.is_none() {
         return Ok(Value::None);
     }

@@ -97,7 +97,7 @@ class CheckFailed(Exception):
 
     def __reduce__(self) -> Any:
         # A process that it was raised in sends it to another one.
-        return type(self), (self.checks,)
+        return type(self), (self.checks,), self.__dict__
 
 
 class GeoError(Exception):
@@ -136,6 +136,16 @@ class GeoError(Exception):
     def __reduce__(self) -> Any:
         # Values stay in the process that made them.
         return type(self), self.args, {**self.__dict__, "results": None}
+
+    def __copy__(self) -> GeoError:
+        # Within a process they need not be left behind.
+        make, args, state = self.__reduce__()
+        made: GeoError = make(*args)
+        made.__setstate__({**state, "results": self.results})
+        return made
+
+    def __deepcopy__(self, _: Any) -> GeoError:
+        return self.__copy__()
 
     def render(self) -> str:
         """What the terminal would show: the place in the script, and what to do."""

@@ -120,13 +120,16 @@ def _parameters(*given: ArrayLike) -> tuple[list[FloatArray], tuple[int, ...]]:
 
 
 def _array(given: ArrayLike) -> NDArray[Any]:
+    from decimal import Decimal
+    from numbers import Real
+
     import numpy as np
 
     if isinstance(given, np.ma.MaskedArray) and np.ma.is_masked(given):
         raise ValueError("parameters have masked elements; `.compressed()` leaves them out")
     array = np.asarray(given)
     # Numbers of other classes, such as `Fraction` and `Decimal`.
-    if array.dtype == object and all(hasattr(one, "__float__") for one in array.flat):
+    if array.dtype == object and all(isinstance(one, (Real, Decimal)) and not isinstance(one, bool) for one in array.flat):
         return array.astype(np.float64)
     return array
 

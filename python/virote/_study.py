@@ -17,7 +17,8 @@ from typing import Any, TextIO, Union
 from . import _virote
 from ._pools import Lost, Pool, StudyError, Task, Variant, pool_of
 from ._rows import PartRows, Rows, StudyResults
-from ._session import ParameterValue, ceilings, setting
+from ._findings import GeoError
+from ._session import ParameterValue, ceilings, default_session, setting
 
 __all__ = ["StudyError", "StudyResults", "grid", "study"]
 
@@ -145,7 +146,7 @@ def _variants(path: Path, text: bytes, plan: Plan, stack: ExitStack) -> _virote.
     scratch = stack.enter_context(tempfile.TemporaryDirectory())
     file = Path(scratch, "plan.csv")
     with file.open("w", encoding="utf-8") as lines:
-        lines.writelines(map(_csv_line, _lines(plan)))
+        lines.writelines(map(_csv_line, _lines(plan, _texts(path))))
     try:
         return _virote.study_plan(path.name, text, folder, os.fspath(file), [])
     except ValueError as err:
@@ -154,7 +155,16 @@ def _variants(path: Path, text: bytes, plan: Plan, stack: ExitStack) -> _virote.
         raise ValueError(told) from None
 
 
-def _lines(plan: Any) -> Iterator[list[str]]:
+def _texts(path: Path) -> frozenset[str]:
+    """The parameters of a script that are no numbers; none of a script that cannot be read."""
+    try:
+        known = default_session().parameters(path)
+    except GeoError:
+        return frozenset()
+    return frozenset(param["name"] for param in known if param["kind"] in ("string", "bool"))
+
+
+def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str]]:
     """The header and the rows of a plan, one after the other: it may be longer than memory."""
     if hasattr(plan, "to_dict") and hasattr(plan, "columns"):
         plan = {str(name): plan[name] for name in plan.columns}
@@ -165,7 +175,7 @@ def _lines(plan: Any) -> Iterator[list[str]]:
             raise ValueError(f"the columns of the plan are not of one length: {counts}")
         yield list(columns)
         for cells in zip(*columns.values()):
-            yield [_cell(name, value) for name, value in zip(columns, cells)]
+            yield [_cell(name, value, texts) for name, value in zip(columns, cells)]
         return
     names: list[str] = []
     for i, row in enumerate(plan):
@@ -176,7 +186,7 @@ def _lines(plan: Any) -> Iterator[list[str]]:
             yield names
         if list(row) != names:
             raise ValueError(f"row {i} of the plan gives {list(row)}, the first one {names}")
-        yield [_cell(name, value) for name, value in row.items()]
+        yield [_cell(name, value, texts) for name, value in row.items()]
     if not names:
         raise ValueError("the plan has no rows: nothing is to be evaluated")
 
@@ -187,14 +197,17 @@ def _column(name: str, values: Any) -> Sequence[Any]:
     return values if hasattr(values, "__len__") else list(values)
 
 
-def _cell(name: str, value: Any) -> str:
-    # As in files of plans: what is missing is the default, and what is no number is told in its row.
+def _cell(name: str, value: Any, texts: frozenset[str]) -> str:
+    # As in files of plans: what is missing is the default, and what is no number is told in its row. In a column of
+    # texts a DataFrame has NaN for what is missing.
     if value is None or type(value).__name__ in ("NAType", "NaTType", "MaskedConstant"):
         return ""
     try:
         is_finite = math.isfinite(value)
     except (TypeError, ValueError, OverflowError):
         is_finite = True
+    if not is_finite and name in texts and value != value:
+        return ""
     return setting(name, value) if is_finite else str(float(value))
 
 

@@ -6,7 +6,10 @@
 
 use std::{
     path::{Path, PathBuf},
-    sync::mpsc::{self, Receiver, RecvTimeoutError},
+    sync::{
+        Arc, Mutex, PoisonError,
+        mpsc::{self, Receiver, RecvTimeoutError},
+    },
     thread,
     time::{Duration, Instant},
 };
@@ -16,7 +19,7 @@ use clap::Args;
 use super::{
     exit_status::ExitStatus,
     interrupt::{self, INTERRUPTED},
-    run::{OutputMode, RunOptions},
+    run::{OutputMode, RunOptions, set},
     run_args::RunArgs,
     standard_streams::is_closed,
 };
@@ -29,6 +32,9 @@ use crate::{
 
 /// How often files are looked at.
 const TICK: Duration = Duration::from_millis(200);
+
+/// Runs that data may end one after the other.
+const PATIENCE: usize = 3;
 
 /// How often a run that is under way is asked whether Ctrl-C was pressed.
 const INTERRUPT_TICK: Duration = Duration::from_millis(25);
@@ -53,8 +59,9 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     let mode =
         if asked.check { OutputMode::Check } else { OutputMode::Write(asked.out.as_deref()) };
     let stop = StopToken::default();
+    let is_evaluated = Arc::new(Mutex::new(false));
     let run = match RunOptions::new(mode, &[], &asked.common) {
-        Ok(run) => run.watching(stop.clone()),
+        Ok(run) => run.watching(stop.clone(), Arc::clone(&is_evaluated)),
         Err(ending) => return ending,
     };
     if asked.file.as_os_str() == "-" {
@@ -68,6 +75,7 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     interrupt::listen_once();
     let mut watched = WatchedFiles::new(&asked.file);
     let (mut n_runs, mut change) = (0, watched.change());
+    let mut ending = RunEnding { stop, is_evaluated, n_in_a_row: 0 };
     while !INTERRUPTED.is_stopped() && !is_closed() {
         match change {
             FileChange::Nothing => {}
@@ -80,7 +88,7 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
                     run.voice().remark(&format!("\n{what} changed"));
                 }
                 n_runs += 1;
-                if let Some(next) = once(&run, &asked.file, &mut watched, &stop) {
+                if let Some(next) = once(&run, &asked.file, &mut watched, &mut ending) {
                     change = next;
                     continue;
                 }
@@ -92,26 +100,51 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     ExitStatus::Well
 }
 
+/// When a run that is under way ends for another one.
+struct RunEnding {
+    stop: StopToken,
+    /// Whether it is evaluated: then it is carried out whole.
+    is_evaluated: Arc<Mutex<bool>>,
+    /// Runs that ended so, one after the other.
+    n_in_a_row: usize,
+}
+
+impl RunEnding {
+    /// Ends a run for a file that changed. Data that grow all the time leave one run in a few its time; for another script
+    /// each ends, which may be without end.
+    fn end_for(&self, what: &str) {
+        let is_script = Path::new(what).extension().is_some_and(|ending| ending == "geo");
+        // Held until it is stopped: nobody begins to write meanwhile.
+        let is_evaluated = self.is_evaluated.lock().unwrap_or_else(PoisonError::into_inner);
+        if !*is_evaluated && (is_script || self.n_in_a_row < PATIENCE) {
+            self.stop.stop();
+        }
+    }
+}
+
 /// Carries the script out and tells what was evaluated; what happened to files meanwhile, if anything.
 fn once(
     run: &RunOptions<'_>,
     path: &Path,
     watched: &mut WatchedFiles,
-    stop: &StopToken,
+    ending: &mut RunEnding,
 ) -> Option<FileChange> {
+    set(&ending.is_evaluated, false);
     let begin = Instant::now();
     let script = run.read(path)?;
     let files = &ScriptFiles::new(&script.folder);
     let (over, ended) = mpsc::channel();
     let (report, change) = thread::scope(|scope| {
         let followed = &mut *watched;
-        let look = move || look(followed, files, stop, &ended);
+        let ending = &*ending;
+        let look = move || look(followed, files, ending, &ended);
         let looks = thread::Builder::new().spawn_scoped(scope, look);
         let (report, _) = run.carry_out(script, files);
         drop(over);
         (report, looks.ok().and_then(|looks| looks.join().ok()).flatten())
     });
-    let was_stopped = stop.reset();
+    let was_stopped = ending.stop.reset();
+    ending.n_in_a_row = if was_stopped { ending.n_in_a_row + 1 } else { 0 };
     if INTERRUPTED.is_stopped() {
         return None;
     }
@@ -127,15 +160,15 @@ fn once(
 fn look(
     watched: &mut WatchedFiles,
     files: &ScriptFiles,
-    stop: &StopToken,
+    ending: &RunEnding,
     ended: &Receiver<()>,
 ) -> Option<FileChange> {
     let (mut n_files, mut last, mut found) = (0, Instant::now(), None);
     while ended.recv_timeout(INTERRUPT_TICK) == Err(RecvTimeoutError::Timeout) {
         if INTERRUPTED.is_stopped() {
-            stop.stop();
+            ending.stop.stop();
         }
-        if last.elapsed() < TICK || stop.is_stopped() {
+        if last.elapsed() < TICK || ending.stop.is_stopped() {
             continue;
         }
         last = Instant::now();
@@ -148,9 +181,9 @@ fn look(
             FileChange::Nothing => {}
             // It goes on until another script is there.
             FileChange::Gone => found = Some(FileChange::Gone),
-            saved @ FileChange::Saved(_) => {
-                found = Some(saved);
-                stop.stop();
+            FileChange::Saved(what) => {
+                ending.end_for(&what);
+                found = Some(FileChange::Saved(what));
             }
         }
     }

@@ -31,16 +31,28 @@ impl FromStr for OutsideAddress {
         let scheme = scheme.filter(|_| is_plain).ok_or_else(bad)?;
         let (host, path) =
             text[scheme.len()..].split_once('/').unwrap_or((&text[scheme.len()..], ""));
-        if host.is_empty() {
+        let (name, port) = match host.rsplit_once(':') {
+            Some((name, port)) if !port.ends_with(']') => (name, Some(port)),
+            _ => (host, None),
+        };
+        let is_name = |c: char| c.is_ascii_alphanumeric() || "-._[:]".contains(c);
+        if name.is_empty()
+            || !name.chars().all(is_name)
+            || port.is_some_and(|port| port.parse::<u16>().is_err())
+        {
             return Err(bad());
         }
-        // Browsers leave the port away that goes with the scheme, and write hosts in small letters.
-        let usual = if scheme == "https://" { ":443" } else { ":80" };
-        let host = host.strip_suffix(usual).unwrap_or(host).to_ascii_lowercase();
+        let host = as_browsers_say(scheme, host);
         let path = path.trim_end_matches('/');
         let prefix = if path.is_empty() { String::new() } else { format!("/{path}") };
         Ok(Self { origin: format!("{scheme}{host}"), prefix })
     }
+}
+
+/// A host as browsers name it: in small letters, without the port that goes with the scheme.
+fn as_browsers_say(scheme: &str, host: &str) -> String {
+    let usual = if scheme.starts_with("https") { ":443" } else { ":80" };
+    host.strip_suffix(usual).unwrap_or(host).to_ascii_lowercase()
 }
 
 /// What a request must show.
@@ -59,8 +71,9 @@ impl Guard {
         // The keys of a hasher are 128 bits that the system drew.
         let draw = || RandomState::new().build_hasher().finish();
         let token = format!("{:016x}{:016x}", draw(), draw());
+        let own = |host: &str| as_browsers_say("http", &format!("{host}:{port}"));
         let mut origins: Vec<String> =
-            ["127.0.0.1", "localhost"].map(|host| format!("http://{host}:{port}")).into();
+            ["127.0.0.1", "localhost"].map(|host| format!("http://{}", own(host))).into();
         let base = match outside {
             Some(OutsideAddress { origin, prefix }) => {
                 origins.push(origin.clone());
@@ -80,7 +93,7 @@ impl Guard {
     pub(super) fn check(&self, request: &Request) -> Result<(), HttpError> {
         let is_host = |host: &str| {
             let mut hosts = self.origins.iter().filter_map(|origin| origin.split_once("://"));
-            hosts.any(|(_, own)| own == host)
+            hosts.any(|(scheme, own)| own == as_browsers_say(scheme, host))
         };
         if !request.header("host").is_some_and(is_host) {
             return Err(HttpError(403, "this is another host"));
@@ -145,6 +158,7 @@ mod tests {
                 "https://hub.example.org/user/me/proxy/8123",
             ),
             ("https://h/", "https://h"),
+            ("http://[::1]:81/", "http://[::1]:81"),
         ] {
             assert_eq!(address(text).as_deref(), Some(base));
         }
@@ -158,6 +172,11 @@ mod tests {
             "http://h/?x",
             "http://h/\"",
             "http://h /",
+            "https://:443",
+            "http://h:abc",
+            "http://h:99999",
+            "https://*",
+            "http://https://h",
         ] {
             assert_eq!(address(text), None, "{text}");
         }

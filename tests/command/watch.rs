@@ -3,7 +3,11 @@ use std::{
     fs,
     io::{BufRead, BufReader},
     process::{Child, Command, Stdio},
-    sync::mpsc::{Receiver, channel},
+    sync::{
+        Arc,
+        atomic::{AtomicBool, Ordering},
+        mpsc::{Receiver, channel},
+    },
     thread,
     time::Duration,
 };
@@ -179,6 +183,31 @@ fn a_change_ends_the_run_under_way() {
     scratch.file("a.geo", "let b = 40 + 2\nprint b\n");
     let seen = watch.sees(&["a.geo changed", "b = 42", "(evaluated 1: b"]);
     assert!(!seen.iter().any(|line| line.contains("1 + 1") || line.contains("[E")), "{seen:?}");
+    assert_eq!(watch.interrupted(), Some(0));
+}
+
+#[test]
+fn data_that_grow_all_the_time_leave_a_run_its_time() {
+    let scratch = Scratch::new("watch-growing");
+    let row = "x\n1\n".to_owned();
+    scratch.file("grow.csv", &row);
+    let long = "fold(0..6000, 0, (x, y) => fold(0..1000, x, (p, q) => p + q))";
+    let text = format!("let t = load(\"grow.csv\")\nlet a = {long}\nprint 40 + 2, len(t)\n");
+    scratch.file("a.geo", text);
+    let watch = Watch::new(&scratch, &["a.geo", "--limit", "steps=9_000_000_000"]);
+    let is_over = Arc::new(AtomicBool::new(false));
+    let (path, over) = (scratch.0.join("grow.csv"), Arc::clone(&is_over));
+    let grows = thread::spawn(move || {
+        let mut text = row;
+        while !over.load(Ordering::SeqCst) {
+            text.push_str("2\n");
+            fs::write(&path, &text).expect("it is written");
+            thread::sleep(Duration::from_millis(100));
+        }
+    });
+    watch.sees(&["grow.csv changed", "40 + 2 = 42"]);
+    is_over.store(true, Ordering::SeqCst);
+    grows.join().expect("it ends");
     assert_eq!(watch.interrupted(), Some(0));
 }
 

@@ -32,9 +32,11 @@ function serve(command, file, outside = async (address) => address) {
   let isStopped = false;
   const begin = async () => {
     const port = await freePort();
-    const origin = await outside(`http://127.0.0.1:${port}/`);
+    const here = `http://127.0.0.1:${port}/`;
+    const [origin] = (await outside(here)).split("?");
     if (isStopped) throw new Error("the viewer ended");
-    child = spawn(command, ["view", "--no-open", "--port", `${port}`, "--origin", origin, file], { stdio: ["ignore", "pipe", "pipe"] });
+    const reached = origin === here ? [] : ["--origin", origin];
+    child = spawn(command, ["view", "--no-open", "--port", `${port}`, ...reached, file], { stdio: ["ignore", "pipe", "pipe"] });
     let trouble = "";
     child.stderr.on("data", (text) => (trouble += text));
     return new Promise((resolve, reject) => {
@@ -165,6 +167,8 @@ class Preview {
     try {
       panel.panel.webview.html = page(await panel.viewer.address);
     } catch (error) {
+      // Whoever closed the panel needs no message.
+      if (this.open.get(file) !== panel) return;
       panel.panel.dispose();
       vscode.window.showErrorMessage(`\`virote view\` does not start: ${error.message}`);
     }

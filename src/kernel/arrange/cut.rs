@@ -6,12 +6,13 @@ use glam::DVec3;
 
 use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
 use crate::{
-    Bounds, GeomError, Interval, NurbsCurve, disjoint_sets::DisjointSets, frame::norm,
-    side_by_side, sorting::sort_by, tolerance::PARAMETER_RELATIVE,
+    Bounds, GeomError, Interval, NurbsCurve,
+    disjoint_sets::DisjointSets,
+    frame::norm,
+    side_by_side,
+    sorting::sort_by,
+    tolerance::{PARAMETER_RELATIVE, VERTEX_REACH},
 };
-
-/// Tolerances within which what comes back to a vertex has not left it.
-pub(super) const ONE_PLACE: f64 = 4.0;
 
 /// Tolerances within which edges with the same ends are one: each may be one away from the middle.
 const ALONG: f64 = 2.0;
@@ -96,7 +97,7 @@ impl Arrangement {
                     continue;
                 };
                 let extent = if from == to { extent(curve, interval) } else { f64::INFINITY };
-                if extent <= ONE_PLACE * self.tolerance {
+                if extent <= VERTEX_REACH * self.tolerance {
                     // Of several cuts at a vertex the nearest counts, for what begins and for what ended there.
                     if !is_end(start) && (is_end(end) || off(end, to) < off(start, to)) {
                         if let Some(before) = self.edges.last_mut()

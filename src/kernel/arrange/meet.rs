@@ -2,13 +2,13 @@
 
 use glam::DVec3;
 
-use super::{cut::ONE_PLACE, touch::touch_of};
+use super::touch::touch_of;
 use crate::{
     CurveIntersection, GeomError, IntersectionError, Interval, NurbsCurve,
     ceiling::{BISECTIONS, SHARED_STRETCHES},
     frame::norm,
     numeric::bisection::bisected,
-    tolerance::{LAST_BIT, PARTING_ROUNDINGS, PARTING_SHARE, QUARTER_SLACK},
+    tolerance::{LAST_BIT, PARTING_ROUNDINGS, PARTING_SHARE, QUARTER_SLACK, VERTEX_REACH},
 };
 
 /// The parameters of both at each place where two arcs meet, or begin or end to run together.
@@ -32,7 +32,7 @@ pub(super) fn meetings(
             Ok(meetings) => {
                 let is_new = |place: &&CurveIntersection| {
                     let apart = |end: &DVec3| norm(first.point_at(place.first) - *end);
-                    behind.iter().all(|end| ONE_PLACE * tolerance < apart(end))
+                    behind.iter().all(|end| VERTEX_REACH * tolerance < apart(end))
                 };
                 let new = meetings.iter().filter(is_new);
                 found.extend(new.map(|place| [place.first, place.second]));

@@ -29,6 +29,7 @@ mod flattened;
 mod form;
 mod grid;
 mod homothetic;
+mod manifold_body;
 mod measure;
 mod near;
 mod nearest;

@@ -184,3 +184,8 @@ pub(crate) const PARTING_ROUNDINGS: f64 = 16.0;
 ///
 /// Larger takes curves for one that are near one another by chance; smaller misses those that rounding bends.
 pub(crate) const QUARTER_SLACK: f64 = 0.35;
+
+/// Tolerances within which what comes back to a vertex of borders has not left it.
+///
+/// Larger takes short edges away; smaller keeps what rounding leaves of two vertices that are one.
+pub(crate) const VERTEX_REACH: f64 = 4.0;

@@ -104,11 +104,15 @@ export class SettingsSignal extends Signal<Settings> {
 
   constructor() {
     const old = kept();
-    super({ ...DEFAULTS, ...old, ...ofNarrowWindow() });
+    const narrow = ofNarrowWindow();
+    super({ ...DEFAULTS, ...old, ...narrow });
     this.isFirstVisit = Object.keys(old).length === 0;
     this.follow((settings) => {
+      // What the width alone decided is not the person's wish.
+      const isWish = (name: keyof Settings): boolean => !(name in narrow) || settings[name] !== narrow[name];
+      const wishes = KEPT.map((name) => [name, isWish(name) ? settings[name] : (old[name] ?? DEFAULTS[name])]);
       try {
-        localStorage.setItem(STORE, JSON.stringify(Object.fromEntries(KEPT.map((name) => [name, settings[name]]))));
+        localStorage.setItem(STORE, JSON.stringify(Object.fromEntries(wishes)));
       } catch {
         // A page without storage begins anew each time.
       }
