@@ -191,8 +191,8 @@ fn data_that_grow_all_the_time_leave_a_run_its_time() {
     let scratch = Scratch::new("watch-growing");
     let row = "x\n1\n".to_owned();
     scratch.file("grow.csv", &row);
-    let long = "fold(0..6000, 0, (x, y) => fold(0..1000, x, (p, q) => p + q))";
-    let text = format!("let t = load(\"grow.csv\")\nlet a = {long}\nprint 40 + 2, len(t)\n");
+    let long = "fold(0..6000, len(t), (x, y) => fold(0..1000, x, (p, q) => p + q))";
+    let text = format!("let t = load(\"grow.csv\")\nlet a = {long}\nprint 40 + 2, a\n");
     scratch.file("a.geo", text);
     let watch = Watch::new(&scratch, &["a.geo", "--limit", "steps=9_000_000_000"]);
     let is_over = Arc::new(AtomicBool::new(false));
