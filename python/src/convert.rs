@@ -102,19 +102,26 @@ fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<
     Ok(all.into_any())
 }
 
+/// Lists around one another below which more of them are deep.
+const DEEP: u32 = 8;
+
+/// Deep lists and records in one value: those that share their parts have more of them than any memory.
+const MOST_DEEP: usize = 100_000;
+
 /// Values on their way in.
 pub(crate) struct Intake {
     /// What they need to answer.
     pub(crate) kept: HeldValue,
     /// Lists and records around the one that is read.
     depth: u32,
-    /// Values that were read.
+    /// Values that were read, and of these the lists and records that are deep inside.
     n_values: usize,
+    n_deep: usize,
 }
 
 impl Default for Intake {
     fn default() -> Self {
-        Self { kept: HeldValue::from(Value::None), depth: 0, n_values: 0 }
+        Self { kept: HeldValue::from(Value::None), depth: 0, n_values: 0, n_deep: 0 }
     }
 }
 
@@ -127,25 +134,21 @@ impl Intake {
             return Err(PyValueError::new_err(told));
         }
         self.depth += 1;
-        Ok(())
-    }
-
-    /// Counts one value more: lists that share their parts have more of them than memory.
-    fn count(&mut self, py: Python<'_>) -> PyResult<()> {
-        /// Values between two looks whether somebody wants it to end.
-        const STRIDE: usize = 4096;
-        /// Types that an element may be tried as.
-        const TRIES: usize = 4;
-        self.n_values += 1;
-        if self.n_values.is_multiple_of(STRIDE) {
-            py.check_signals()?;
-        }
-        let most = Limits::DEFAULT.list_length;
-        if TRIES * most < self.n_values {
-            let told = format!("a value has more than {most} parts, counted wherever they stand");
+        self.n_deep += usize::from(DEEP < self.depth);
+        if MOST_DEEP < self.n_deep {
+            let told = format!(
+                "more than {MOST_DEEP} lists lie deep in one another, counted wherever they stand"
+            );
             return Err(PyValueError::new_err(told));
         }
         Ok(())
+    }
+
+    /// Counts one value more, and looks now and then whether somebody wants it to end.
+    fn count(&mut self, py: Python<'_>) -> PyResult<()> {
+        const STRIDE: usize = 4096;
+        self.n_values += 1;
+        if self.n_values.is_multiple_of(STRIDE) { py.check_signals() } else { Ok(()) }
     }
 
     fn leave(&mut self) {

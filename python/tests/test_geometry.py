@@ -216,6 +216,14 @@ def test_mistakes_are_told(call, raised: type, told: str) -> None:
     assert told.lower() in str(caught.value).lower()
 
 
+def test_lists_that_share_their_parts_end():
+    shared = [1]
+    for _ in range(100):
+        shared = [shared, shared]
+    with pytest.raises(ValueError, match="deep in one another"):
+        virote.flatten(shared)
+
+
 NESTED = """
 import threading, virote
 

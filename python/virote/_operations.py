@@ -1714,7 +1714,8 @@ def difference(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
 
     The borders of the result are parts of the given ones, exactly. Borders that run within the
     document's tolerance of one another are one; those that come as near without being one are
-    refused with the place.
+    refused with the place. Where a list of several comes first and others follow, a warning tells that only its first
+    region is kept (W0013).
 
     :param regions: The regions, in one plane; lists count as their members.
 
@@ -2502,8 +2503,9 @@ def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, 
     and areas to twelve. A region or face is divided into strips, so that the function is asked inside of it only;
     where the border of a face is known within a tolerance, so is the integral. Kinks and jumps are found, and the
     range is cut there. What none of the places that are asked shows is not seen: of a smooth function these are some
-    30, and 200 evenly spread more before the answer is believed, 16 for each range of several, so that a peak that is
-    narrower than a hundredth of the range may lie between them; add up the integrals on both sides of its top. Ends of
+    30, and 200 evenly spread more before the answer is believed, along a curve as well; 16 for each range of several and
+    each direction of an area, so that a peak that is narrower than a hundredth of the range, or there than a tenth,
+    may lie between them; add up the integrals on both sides of its top. Ends of
     ranges and borders are never asked for, so that a function may grow without bound there: at 0 to all digits,
     elsewhere as near as numbers are apart, which a `tolerance` of 1e-6 allows for. An integral that has no finite
     value, or does not settle, is refused with the place.
@@ -3032,8 +3034,10 @@ def maximize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     which need not be the greatest of all. Its steps are those of sequential quadratic programming; gradients
     are exact where derivatives pass through all that the function does (see `gradient`), else central
-    differences. What would be higher a little beside the answer is looked at before it is given. Nocedal &
-    Wright, *Numerical Optimization*, ch. 18.
+    differences. What would be higher a little beside the answer is looked at before it is given: along each unknown, and
+    of up to 200 along the ways that the conditions leave free and the function bends up, so that no saddle, nor
+    the least value on a circle, is taken for the greatest. What does not settle in 5000 steps is refused. Nocedal &
+    Wright, *Numerical Optimization*, ch. 18, §12.5.
 
     :param f: A function of the unknowns that yields a number; all may have a dimension.
     :param within: The range of one number, or a list or record of ranges for several; one range serves all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
@@ -3120,8 +3124,10 @@ def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
     are exact where derivatives pass through all that the function does (see `gradient`), else central
-    differences. What would be lower a little beside the answer is looked at before it is given. Nocedal &
-    Wright, *Numerical Optimization*, ch. 18.
+    differences. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
+    of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
+    the greatest value on a circle, is taken for the least. What does not settle in 5000 steps is refused. Nocedal &
+    Wright, *Numerical Optimization*, ch. 18, §12.5.
 
     :param f: A function of the unknowns that yields a number; all may have a dimension.
     :param within: The range of one number, or a list or record of ranges for several; one range serves all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
@@ -3285,7 +3291,9 @@ def ode(f: FunctionLike, start: Any, range: tuple[Quantity, Quantity], *, tolera
 
     The curve is a spline of degree 5 with two continuous derivatives. It is followed again with smaller
     errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
-    `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. Where the point
+    `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. The rate is looked at
+    between the places of its steps as well, so that what acts on a hundredth of the range is seen; what acts on less
+    may lie between them: let ranges end where it begins and ends. Where the point
     grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
     the place. Derivatives pass through, by what the function and the start depend on, within the tolerance.
     Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
@@ -4264,17 +4272,18 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     list. Of a function of arithmetic, `if` and the functions of one number the range is divided until bounds of
     its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
-    tells is a root. Of any other function the list holds every root that 256 places at equal distances tell
-    apart, and is refused where more than every fourth part between them holds one. Chandrupatla, *A new hybrid
-    quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud, *Introduction to
-    Interval Analysis*, §8.1.
+    tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
+    places at equal distances tell apart, and is refused where more than every fourth part between them holds one.
+    Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
+    *Introduction to Interval Analysis*, §8.1.
 
     Derivatives pass through roots by the theorem of implicit functions, where the functions cross zero and are
     as many as the unknowns.
 
     From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     and the function yields as many numbers or more, each of which is to be zero: of more than there are
-    unknowns the squares are made least. The search may end at another root than the nearest one. Moré,
+    unknowns the squares are made least. Steps to where the function has no value are taken shorter. The search may
+    end at another root than the nearest one. Moré,
     *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
 
     :param f: A function of the unknown that yields what is to be zero; both may have a dimension.
