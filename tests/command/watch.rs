@@ -202,7 +202,8 @@ fn data_that_grow_all_the_time_leave_a_run_its_time() {
         while !over.load(Ordering::SeqCst) {
             text.push_str("2\n");
             fs::write(&path, &text).expect("it is written");
-            thread::sleep(Duration::from_millis(100));
+            // Longer than a file is looked at until it rests.
+            thread::sleep(Duration::from_millis(700));
         }
     });
     watch.sees(&["grow.csv changed", "40 + 2 = 42"]);
