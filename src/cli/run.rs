@@ -93,9 +93,8 @@ impl<'a> RunOptions<'a> {
         })
     }
 
-    /// The same with a memory, so that each run evaluates only what changed, and to be stopped by
-    /// this: what it did not come to is not told then. Once it is evaluated, which the switch tells, it is to be
-    /// carried out whole.
+    /// The same with a memory, so that each run evaluates only what changed, and to be stopped by this until it is
+    /// evaluated, which the switch tells: what it did not come to is not told then.
     pub(super) fn watching(self, stop: StopToken, is_evaluated: Arc<Mutex<bool>>) -> Self {
         let session = self.session.incremental().stopped_by(stop.clone());
         Self { session, stop, is_evaluated, ..self }
@@ -123,7 +122,7 @@ impl<'a> RunOptions<'a> {
         let voice = &self.voice;
         let progress = Progress::begin(&format!("evaluating {}", script.name), voice.is_lively());
         let mut report = self.session.run(&script.name, &script.bytes, files, &self.settings);
-        set(&self.is_evaluated, true);
+        *self.is_evaluated.lock().unwrap_or_else(PoisonError::into_inner) = true;
         if self.stop.is_stopped() {
             return (report, ExitStatus::Wrong);
         }
@@ -145,11 +144,6 @@ impl<'a> RunOptions<'a> {
         let ending = act(&report, &targets, (self.mode, self.is_strict), progress, voice);
         (report, ending)
     }
-}
-
-/// Says whether a run has been evaluated; nobody who holds it panics.
-pub(super) fn set(is_evaluated: &Mutex<bool>, to: bool) {
-    *is_evaluated.lock().unwrap_or_else(PoisonError::into_inner) = to;
 }
 
 /// Keeps the files that name a definition of `only`, unless that is empty; names that choose

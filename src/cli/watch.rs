@@ -19,7 +19,7 @@ use clap::Args;
 use super::{
     exit_status::ExitStatus,
     interrupt::{self, INTERRUPTED},
-    run::{OutputMode, RunOptions, set},
+    run::{OutputMode, RunOptions},
     run_args::RunArgs,
     standard_streams::is_closed,
 };
@@ -129,7 +129,7 @@ fn once(
     watched: &mut WatchedFiles,
     ending: &mut RunEnding,
 ) -> Option<FileChange> {
-    set(&ending.is_evaluated, false);
+    *ending.is_evaluated.lock().unwrap_or_else(PoisonError::into_inner) = false;
     let begin = Instant::now();
     let script = run.read(path)?;
     let files = &ScriptFiles::new(&script.folder);
