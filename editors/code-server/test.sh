@@ -1,5 +1,5 @@
 #!/bin/sh
-# The packed extension in a whole VS Code: code-server, which npm has, in a headless Chromium. 600 MB and some minutes at the
+# The packed extension in a whole VS Code: code-server, which npm has, in a headless Chromium. 800 MB and some minutes at the
 # first time. VIROTE names the command to test (target/release/virote without it).
 set -eu
 cd "$(dirname "$0")"

@@ -449,3 +449,12 @@ def test_manifests_tell_what_the_parts_are_of(script: Path, tmp_path: Path) -> N
     (tmp_path / "out/study.json").write_text("{")
     with pytest.raises(virote.StudyError, match="not what a study left"):
         virote.study(script, [{"n": 1}], out=tmp_path / "out", workers=1)
+
+
+def test_a_text_that_a_data_frame_lacks_is_the_default(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    script = tmp_path / "label.geo"
+    script.write_text('param w = 1  param label = "plain"  let told = "{label}!"')
+    plan = pandas.DataFrame({"w": [1, 2], "label": ["fine", None]})
+    rows = virote.study(script, plan, workers=1, progress=False)
+    assert rows.column("told") == ["fine!", "plain!"]

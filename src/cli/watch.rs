@@ -2,7 +2,7 @@
 //!
 //! Files are looked at five times a second, which every system and every network drive can do. One
 //! session with a memory carries out all runs, so that each evaluates only what the change touched. A run
-//! that is still under way when a file changes is ended: nobody waits for what it would tell.
+//! that is still evaluated when a file changes is ended: nobody waits for what it would tell. What it writes, it writes whole.
 
 use std::{
     path::{Path, PathBuf},
@@ -75,7 +75,8 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     interrupt::listen_once();
     let mut watched = WatchedFiles::new(&asked.file);
     let (mut n_runs, mut change) = (0, watched.change());
-    let mut ending = RunEnding { stop, is_evaluated, n_in_a_row: 0 };
+    let script = asked.file.strip_prefix(".").unwrap_or(&asked.file).to_path_buf();
+    let mut ending = RunEnding { stop, is_evaluated, script, n_in_a_row: 0 };
     while !INTERRUPTED.is_stopped() && !is_closed() {
         match change {
             FileChange::Nothing => {}
@@ -105,6 +106,8 @@ struct RunEnding {
     stop: StopToken,
     /// Whether it is evaluated: then it is carried out whole.
     is_evaluated: Arc<Mutex<bool>>,
+    /// The script, as it is told.
+    script: PathBuf,
     /// Runs that ended so, one after the other.
     n_in_a_row: usize,
 }
@@ -113,7 +116,9 @@ impl RunEnding {
     /// Ends a run for a file that changed. Data that grow all the time leave one run in a few its time; for another script
     /// each ends, which may be without end.
     fn end_for(&self, what: &str) {
-        let is_script = Path::new(what).extension().is_some_and(|ending| ending == "geo");
+        let what = Path::new(what);
+        let is_script =
+            what == self.script || what.extension().is_some_and(|ending| ending == "geo");
         // Held until it is stopped: nobody begins to write meanwhile.
         let is_evaluated = self.is_evaluated.lock().unwrap_or_else(PoisonError::into_inner);
         if !*is_evaluated && (is_script || self.n_in_a_row < PATIENCE) {
