@@ -1,5 +1,7 @@
 //! Numbers in functions that may be differentiated: as they are, or as jets.
 
+use std::borrow::Cow;
+
 use crate::kernel::{GeomError, Jet, LocalError, Side};
 
 /// A number, or one that carries its derivatives.
@@ -12,9 +14,9 @@ pub enum Real {
 }
 
 /// Two numbers brought to one form.
-enum MatchedReals {
+enum MatchedReals<'a> {
     Plain(f64, f64),
-    Jets(Jet, Jet),
+    Jets(Cow<'a, Jet>, Cow<'a, Jet>),
 }
 
 /// Functions of one number: that of jets, about the value that the plain function has.
@@ -123,11 +125,13 @@ impl Real {
         }
     }
 
-    fn with(&self, other: &Self) -> MatchedReals {
+    fn with<'a>(&'a self, other: &'a Self) -> MatchedReals<'a> {
+        use Cow::{Borrowed, Owned};
         match (self, other) {
             (Self::Plain(a), Self::Plain(b)) => MatchedReals::Plain(*a, *b),
-            (Self::Jet(a), b) => MatchedReals::Jets(a.clone(), b.like(a)),
-            (a, Self::Jet(b)) => MatchedReals::Jets(a.like(b), b.clone()),
+            (Self::Jet(a), Self::Jet(b)) => MatchedReals::Jets(Borrowed(a), Borrowed(b)),
+            (Self::Jet(a), Self::Plain(b)) => MatchedReals::Jets(Borrowed(a), Owned(a.same(*b))),
+            (Self::Plain(a), Self::Jet(b)) => MatchedReals::Jets(Owned(b.same(*a)), Borrowed(b)),
         }
     }
 
@@ -199,7 +203,7 @@ impl Real {
         Ok(match self.with(other) {
             MatchedReals::Plain(..) => Self::Plain(length),
             MatchedReals::Jets(a, b) => {
-                Self::Jet(Jet::norm([&a, &b].into_iter())?.with_value(length))
+                Self::Jet(Jet::norm([&*a, &*b].into_iter())?.with_value(length))
             }
         })
     }

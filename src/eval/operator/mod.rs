@@ -12,7 +12,7 @@ pub(super) mod table;
 #[cfg(test)]
 mod agreement;
 
-use std::sync::Arc;
+use std::{borrow::Cow, sync::Arc};
 
 use glam::DVec3;
 
@@ -126,8 +126,6 @@ fn with_derivatives(
     plain: Value,
     places: OperandPlaces,
 ) -> Result<Value> {
-    let real =
-        |value: &Value| Number::<Real>::from_value(value, places.whole).ok().map(|n| n.value);
     let vector = |value: &Value| Vector::from_value(value, places.whole).ok();
     let one = |a: &Real, b: &Real, plain: f64| derivatives(row, a, b, plain).at(places.whole);
     match plain {
@@ -142,7 +140,7 @@ fn with_derivatives(
             let [p, q] = match (vector(a), vector(b), real(a), real(b)) {
                 (Some(p), Some(q), ..) => [p.coordinates(), q.coordinates()],
                 (Some(p), None, _, Some(n)) | (None, Some(p), Some(n), _) => {
-                    [p.coordinates(), [n.clone(), n.clone(), n]]
+                    [p.coordinates(), std::array::from_fn(|_| (*n).clone())]
                 }
                 _ => return Ok(Value::Point(plain)),
             };
@@ -150,6 +148,15 @@ fn with_derivatives(
             Ok(Vector::new([coordinate(0)?, coordinate(1)?, coordinate(2)?]).into_value())
         }
         other => Ok(other),
+    }
+}
+
+/// The number that a value is, with its derivatives.
+fn real(value: &Value) -> Option<Cow<'_, Real>> {
+    match value {
+        Value::Number(number) => Some(Cow::Owned(Real::Plain(number.value))),
+        Value::Jet(number) => Some(Cow::Borrowed(&number.value)),
+        _ => None,
     }
 }
 
@@ -178,7 +185,6 @@ pub(super) fn switch(
     if !a.is_jet() && !b.is_jet() {
         return None;
     }
-    let real = |value| Number::<Real>::from_value(value, span).ok().map(|number| number.value);
     let sides = real(a).zip(real(b));
     match (binary_meaning(op), value) {
         (BinaryMeaning::Comparison(_) | BinaryMeaning::Near, Value::Bool(truth)) => {

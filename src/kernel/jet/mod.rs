@@ -11,10 +11,14 @@ mod moving_end;
 mod series;
 
 use glam::DVec3;
+use smallvec::{SmallVec, smallvec};
 
 use super::{GeomError, Grid, LocalError};
 
 pub use moving_end::moved_end;
+
+/// The coefficients of a jet; as many as two variables have to the second order need no memory of their own.
+type Coefficients = SmallVec<[f64; 6]>;
 
 /// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
 /// coefficients as its shape needs.
@@ -34,7 +38,7 @@ pub struct Jet {
     shape: JetShape,
     /// By total degree, within a degree by the power of the second variable; of several variables the value
     /// and then the slope by each.
-    coefficients: Vec<f64>,
+    coefficients: Coefficients,
 }
 
 /// Of how many variables, and to which order.
@@ -137,7 +141,7 @@ impl Jet {
     }
 
     fn constant(value: f64, shape: JetShape) -> Self {
-        let mut coefficients = vec![0.0; shape.n_coefficients()];
+        let mut coefficients: Coefficients = smallvec![0.0; shape.n_coefficients()];
         coefficients[0] = value;
         Self { shape, coefficients }
     }
@@ -171,7 +175,7 @@ impl Jet {
     /// A series of this shape with other coefficients; those that are not given are zero.
     #[must_use]
     pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {
-        let mut all = coefficients.to_vec();
+        let mut all = Coefficients::from_slice(coefficients);
         all.resize(self.shape.n_coefficients(), 0.0);
         Self { shape: self.shape, coefficients: all }
     }
@@ -269,7 +273,8 @@ impl Jet {
             let (a, b) = (self.value(), other.value());
             return self.zip(other, |slope, other| slope * b + a * other).with_value(a * b);
         }
-        let coefficient = |(i, j): (usize, usize)| {
+        let mut product = Self::constant(0.0, shape);
+        for (i, j) in shape.powers() {
             let mut sum = 0.0;
             for p in 0..=i {
                 for q in 0..=j {
@@ -277,9 +282,9 @@ impl Jet {
                         * other.coefficients[shape.place(i - p, j - q)];
                 }
             }
-            sum
-        };
-        Self { shape, coefficients: shape.powers().map(coefficient).collect() }
+            product.coefficients[shape.place(i, j)] = sum;
+        }
+        product
     }
 
     /// The quotient.
@@ -342,7 +347,7 @@ pub fn along(derivatives: &[DVec3], t: &Jet) -> Result<[Jet; 3], GeomError> {
             factorial *= k.max(1) as f64;
             derivative[axis] / factorial
         };
-        t.compose(&derivatives.iter().enumerate().map(term).collect::<Vec<_>>())
+        t.compose(&derivatives.iter().enumerate().map(term).collect::<Coefficients>())
     };
     Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
 }
@@ -360,7 +365,7 @@ pub fn across(derivatives: &Grid<DVec3>, u: &Jet, v: &Jet) -> Result<[Jet; 3], G
         for k in (0..=u.order()).rev() {
             let factorial = |n: usize| (1..=n).fold(1.0, |product, m| product * m as f64);
             let term = |l: usize| derivatives.get(k, l)[axis] / (factorial(k) * factorial(l));
-            let along_v = v.compose(&(0..=v.order() - k).map(term).collect::<Vec<_>>())?;
+            let along_v = v.compose(&(0..=v.order() - k).map(term).collect::<Coefficients>())?;
             sum = sum.times(&varying).plus(&along_v);
         }
         sum.checked()
