@@ -195,17 +195,19 @@ fn largest(all: &[f64]) -> f64 {
 
 /// How far a step of Newton leads; endless where nothing slopes.
 fn newton_step(gradients: &[Vec<f64>], residuals: &[f64]) -> f64 {
-    let steepest = gradients.iter().map(|gradient| largest(gradient)).fold(0.0, f64::max);
-    if steepest <= 0.0 {
-        return f64::INFINITY;
+    // Each function in units of its own steepest slope: beside steep ones what only tends to zero would not count,
+    // and their squares may be no numbers.
+    let (mut slopes, mut values) = (Vec::new(), Vec::new());
+    for (gradient, residual) in gradients.iter().zip(residuals) {
+        let steepest = largest(gradient);
+        if 0.0 < steepest {
+            slopes.push(gradient.iter().map(|slope| slope / steepest).collect::<Vec<f64>>());
+            values.push(residual / steepest);
+        }
     }
-    // In units of the steepest, whose square may be no number.
-    let unit = |all: &[f64]| all.iter().map(|part| part / steepest).collect::<Vec<f64>>();
-    let (gradients, residuals): (Vec<Vec<f64>>, _) =
-        (gradients.iter().map(|gradient| unit(gradient)).collect(), unit(residuals));
-    let is_known = gradients.iter().flatten().all(|slope| slope.is_finite());
-    match is_known && largest(&residuals).is_finite() {
-        true => largest(&NormalEquations::new(&gradients, &residuals).step(STEP_REST_RELATIVE)),
+    let is_known = slopes.iter().flatten().chain(&values).all(|number| number.is_finite());
+    match is_known && !slopes.is_empty() {
+        true => largest(&NormalEquations::new(&slopes, &values).step(STEP_REST_RELATIVE)),
         false => f64::INFINITY,
     }
 }
@@ -333,6 +335,10 @@ mod tests {
         assert!(1e-3 < none.rest, "{none:?}");
         let tends = found(|x| vec![libm::exp(x[0])], &[1.0]);
         assert!(1e-3 < tends.rest, "{tends:?}");
+        let beside = found(|x| vec![1.0 / x[0], x[1] * x[1] - 1.0], &[1.0, 2.0]);
+        assert!(1e-3 < beside.rest, "{beside:?}");
+        let scaled = found(|x| vec![1e-9 * (x[0] - 1.0), 1e9 * (x[1] * x[1] - x[0])], &[2.0, 2.0]);
+        assert!(scaled.rest < 1e-9 && (scaled.unknowns[0] - 1.0).abs() < 1e-6, "{scaled:?}");
         let triple = found(|x| vec![x[0] * x[0] * x[0]], &[5.0]);
         assert!(triple.rest < 1e-9, "{triple:?}");
         let flat = found(|_| vec![1.0], &[3.0]);
