@@ -5,4 +5,4 @@ print centroid(plate((u, v) => floor(3*v)), of = "area")
 print integrate(p => p.z, plate((u, v) => if u + v < 1.3 then 0.1 else 0))
 print integrate(x => 1/x^2, 1..1e300)
 // What is steep, kinks or begins like a root is connected.
-print area(plate((u, v) => sqrt(u))) > 1, area(plate((u, v) => tanh(200*(u - v)))) > 1
+print area(plate((u, v) => sqrt(u))) > 1, area(plate((u, v) => tanh(40*(u - v)))) > 1

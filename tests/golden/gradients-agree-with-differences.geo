@@ -60,7 +60,7 @@ fn heading(s) = if s < 80 then 0 else if s < 155 then (s - 80)^2 / 45000 else 0.
 curve road = parametric(s => s * integrate(k => (cos(heading(k*s)), sin(heading(k*s))), 0..1), 0..300)
 check [for s in [60, 100, 200, 300]: derivative(road, s, order = 2).y] ~= [for s in [60, 100, 200, 300]: (heading(s + 0.01) - heading(s - 0.01)) / 0.02 * cos(heading(s))] within 1e-6
 // Each of its points is an integral with a kink.
-check length(parametric(s => road(s), 60..100)) ~= 40
+check length(parametric(s => road(s), 75..85)) ~= 10
 fn half(a) = integrate(p => if p.x < a then 1 else 0, region(circle((0, 0), 1)), tolerance = 1e-7)
 check gradient(half, 0.6) ~= 1.6 within 1e-5
 
