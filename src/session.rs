@@ -44,14 +44,14 @@ use crate::{
     value::{Files, Registry, Value, stranger},
 };
 
-/// Interprets scripts.
-#[derive(Debug)]
+/// Interprets scripts. Clones share what they remember.
+#[derive(Clone, Debug)]
 pub struct Session {
-    registry: Registry,
+    registry: Arc<Registry>,
     limits: Limits,
     n_threads: usize,
     /// Of an incremental session.
-    memory: Option<SessionMemory>,
+    memory: Option<Arc<SessionMemory>>,
     gauge: MemoryGauge,
     stop: StopToken,
 }
@@ -164,7 +164,7 @@ impl Session {
     #[must_use]
     pub fn new(limits: Limits) -> Self {
         Self {
-            registry: ops::registry(),
+            registry: Arc::new(ops::registry()),
             limits,
             n_threads: 1,
             memory: None,
@@ -203,7 +203,7 @@ impl Session {
     /// ```
     #[must_use]
     pub fn incremental(self) -> Self {
-        Self { memory: Some(SessionMemory::default()), ..self }
+        Self { memory: Some(Arc::default()), ..self }
     }
 
     /// How many results an incremental session remembers.
@@ -262,12 +262,18 @@ impl Session {
             })
         };
         let attempt = |n_threads| self.on_stack(|limits| attempt_on(n_threads, limits));
+        let remembers = self.memory.as_ref().filter(|memory| !memory.results.is_empty());
         let report = attempt(self.n_threads);
-        if self.n_threads == 1 || !report.is_out_of_memory() {
+        if self.n_threads == 1 && remembers.is_none() || !report.is_out_of_memory() {
             return report;
         }
-        // Where memory ends depends on what else is under way: one thread gives one answer.
+        // Where memory ends depends on what else is under way, and on what runs before have left: one thread
+        // with nothing remembered gives one answer.
         drop(report);
+        if let Some(memory) = remembers {
+            memory.results.forget();
+            memory.meshes.forget();
+        }
         attempt(1)
     }
 

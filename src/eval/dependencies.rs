@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::{
-    ir::{Definition, DefinitionRole, Effect, EffectKind, Expr, ExprKind, Kind, Program},
+    ir::{
+        Definition, DefinitionRole, Dependency, Effect, EffectKind, Expr, ExprKind, Kind, Program,
+    },
     load::{LoadingScript, load},
     settings::Settings,
 };
@@ -127,9 +129,9 @@ impl GraphItem<'_> {
 
     fn dependencies(&self, program: &Program) -> Vec<usize> {
         match self {
-            Self::Definition(_, definition) => definition.dependencies.clone(),
+            Self::Definition(_, definition) => used(&definition.dependencies),
             Self::Effect(effect) => {
-                let mut dependencies = effect.dependencies.clone();
+                let mut dependencies = used(&effect.dependencies);
                 if let EffectKind::Export { subjects, .. } = &effect.kind
                     && subjects.is_of_whole_file()
                 {
@@ -176,10 +178,15 @@ fn is_exported_by_all(definition: &Definition) -> bool {
     }
 }
 
+/// The definitions that are used.
+fn used(dependencies: &[Dependency]) -> Vec<usize> {
+    dependencies.iter().map(|used| used.definition).collect()
+}
+
 /// A definition, or what stands behind one that is not shown: the right side of a pattern.
 fn shown(idx: usize, program: &Program) -> Vec<usize> {
     match &program.definitions[idx] {
-        Definition { role: DefinitionRole::Hidden, dependencies, .. } => dependencies.clone(),
+        Definition { role: DefinitionRole::Hidden, dependencies, .. } => used(dependencies),
         _ => vec![idx],
     }
 }

@@ -2,7 +2,7 @@
 
 use std::{fmt, sync::Arc};
 
-use super::{imported::ImportInstance, memory::Fields};
+use super::imported::ImportInstance;
 use crate::{
     diag::{Result, Sources, Span, Spanned},
     kernel::Tolerance,
@@ -19,16 +19,16 @@ pub(super) type GivenParameters = Vec<(Spanned<Arc<str>>, Spanned<Value>)>;
 
 /// The files that a script imports.
 pub(crate) trait ImportedFiles: fmt::Debug + Sync {
-    /// The record of what a file defines, with these parameters, and the identities of its fields.
+    /// A file with these parameters, evaluated for a statement; what went wrong in it is told once.
     ///
     /// # Errors
-    /// What is wrong with the file, or with the parameters.
+    /// What is wrong with the parameters; the file is at fault in the instance.
     fn value(
         &self,
         file: usize,
         parameters: GivenParameters,
         env: Env<'_>,
-    ) -> Result<(Value, Fields)>;
+    ) -> Result<Arc<ImportInstance>>;
 
     /// A file with these parameters, evaluated, for a call at `span` under so many expressions.
     ///

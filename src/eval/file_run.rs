@@ -1,6 +1,11 @@
 //! The evaluation of one file or test under way.
 
-use super::{ir::Program, load::LoadingScript, machine::Machine, settings::Settings};
+use super::{
+    ir::{Dependency, Program},
+    load::LoadingScript,
+    machine::Machine,
+    settings::Settings,
+};
 use crate::{
     diag::{Diagnostic, Result},
     value::Value,
@@ -21,8 +26,8 @@ impl FileRun<'_> {
     }
 
     /// Whether everything that is used has a value.
-    pub(super) fn is_ready(&self, dependencies: &[usize]) -> bool {
-        dependencies.iter().all(|&idx| self.value(idx).is_some())
+    pub(super) fn is_ready(&self, dependencies: &[Dependency]) -> bool {
+        dependencies.iter().all(|used| self.machine.home.has(used))
     }
 
     /// The value, or a diagnostic more.

@@ -3,7 +3,8 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    ir::Program,
+    imported::ImportFault,
+    ir::{Dependency, Program},
     memory::{CacheRun, ResultId},
 };
 use crate::value::Value;
@@ -11,8 +12,8 @@ use crate::value::Value;
 /// What runs: the values of a file's definitions, and where the file lies.
 #[derive(Debug, Default)]
 pub(crate) struct Globals {
-    /// Empty where not evaluated yet, `None` where that failed.
-    values: Vec<OnceLock<Option<Value>>>,
+    /// Empty where not evaluated yet.
+    values: Vec<OnceLock<Kept>>,
     /// The identities of the values, where they are remembered.
     marks: Vec<OnceLock<ResultId>>,
     /// The number of the first of them; those before it belong to the file around a test.
@@ -20,6 +21,17 @@ pub(crate) struct Globals {
     around: Option<Arc<Globals>>,
     /// The folder that the file's paths are relative to; empty for that of the script.
     pub(crate) folder: String,
+}
+
+/// What a definition came to.
+#[derive(Debug)]
+pub(crate) enum Kept {
+    /// Nothing: it failed.
+    Failed,
+    /// A value.
+    Whole(Value),
+    /// The record of an imported file in which something failed: what has values nonetheless.
+    Part(Value, ImportFault),
 }
 
 /// Keeps the definitions that functions in values use: while it lives, parametric curves and
@@ -74,9 +86,36 @@ impl Globals {
 
     /// The value of a definition.
     pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
+        match self.kept(idx)? {
+            Kept::Whole(value) => Some(value),
+            Kept::Part(..) | Kept::Failed => None,
+        }
+    }
+
+    /// The value of a definition, or what is known of it; whoever uses it has asked whether that is enough.
+    pub(crate) fn known(&self, idx: usize) -> Option<&Value> {
+        match self.kept(idx)? {
+            Kept::Whole(value) | Kept::Part(value, _) => Some(value),
+            Kept::Failed => None,
+        }
+    }
+
+    /// Whether what is used of a definition has a value.
+    pub(super) fn has(&self, used: &Dependency) -> bool {
+        match (self.kept(used.definition), &used.fields) {
+            (Some(Kept::Whole(_)), _) => true,
+            // What it never had is a mistake of whoever asks.
+            (Some(Kept::Part(Value::Record(record), fault)), Some(fields)) => {
+                fields.iter().all(|name| record.get(name).is_some() || !fault.has_lost(name))
+            }
+            _ => false,
+        }
+    }
+
+    fn kept(&self, idx: usize) -> Option<&Kept> {
         match idx.checked_sub(self.first) {
-            Some(own) => self.values.get(own)?.get().and_then(Option::as_ref),
-            None => self.around.as_ref()?.value(idx),
+            Some(own) => self.values.get(own)?.get(),
+            None => self.around.as_ref()?.kept(idx),
         }
     }
 
@@ -90,15 +129,14 @@ impl Globals {
 
     /// Keeps what a definition of its own came to; each belongs to one component, so that it is
     /// kept once.
-    pub(crate) fn keep(&self, idx: usize, value: Option<Value>) {
+    pub(crate) fn keep(&self, idx: usize, value: Kept) {
         if let Some(place) = idx.checked_sub(self.first).and_then(|own| self.values.get(own)) {
             let _ = place.set(value);
         }
     }
 
     /// The same with the value's identity.
-    pub(super) fn keep_marked(&self, idx: usize, found: Option<(Value, ResultId)>) {
-        let (value, mark) = found.unzip();
+    pub(super) fn keep_marked(&self, idx: usize, value: Kept, mark: Option<ResultId>) {
         let place = idx.checked_sub(self.first).and_then(|own| self.marks.get(own));
         if let (Some(place), Some(mark)) = (place, mark) {
             let _ = place.set(mark);

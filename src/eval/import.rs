@@ -14,15 +14,19 @@ use crate::{
 };
 
 impl Machine<'_> {
-    /// The record of what an imported file defines.
+    /// The record of what an imported file defines, as far as that has values.
     pub(super) fn import(&mut self, file: usize, with: &[Arg], span: Span) -> Result<Value> {
         let parameters = self.given(with)?;
         let Some(library) = self.env.library else {
             let message = "nothing can be imported here";
             return Diagnostic::error(Code::FileMissing, span, message).fail();
         };
-        let (value, fields) = library.value(file, parameters, self.env)?;
+        let instance = library.value(file, parameters, self.env)?;
+        let (value, fields) = instance.shown.clone();
         self.imported = fields;
+        self.note(&instance);
+        // The mistake itself is told in its file; the importer stays quiet.
+        self.import_fault.clone_from(&instance.fault);
         Ok(value)
     }
 
@@ -48,11 +52,11 @@ impl Machine<'_> {
         };
         let instance = library.instance(idx, parameters, self.env, (span, self.depth()))?;
         self.take_in(&instance, span)?;
-        match &instance.outcome {
-            Ok((value, _)) => Ok(value.clone()),
-            Err(failed) => {
+        match &instance.fault {
+            None => Ok(instance.shown.0.clone()),
+            Some(failed) => {
                 let text = format!("`{}` is evaluated from here", file.path);
-                let told = failed.as_ref().clone().also(span, text);
+                let told = failed.first.as_ref().clone().also(span, text);
                 Err(Box::new(with_others(told, &instance.findings)))
             }
         }
@@ -65,11 +69,17 @@ impl Machine<'_> {
         }
         let is_warning = |finding: &&Diagnostic| finding.severity == Severity::Warning;
         self.warnings.extend(instance.findings.iter().filter(is_warning).cloned());
+        self.note(instance);
+        self.steps(instance.n_steps, span)
+    }
+
+    /// What an evaluated file read, this reads; and where it warns, it is to be asked again.
+    fn note(&mut self, instance: &ImportInstance) {
+        self.n_doubtful += usize::from(instance.is_doubtful);
         if let Some(reads) = &self.reads {
             let mut reads = reads.lock().unwrap_or_else(PoisonError::into_inner);
             reads.extend(instance.reads.iter().cloned());
         }
-        self.steps(instance.n_steps, span)
     }
 
     /// The parameters that a file is given.

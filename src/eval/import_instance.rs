@@ -8,7 +8,7 @@ use super::{
     cache_key::{CacheKey, KeySort},
     env::{Env, GivenParameters, ImportedFiles},
     globals::Globals,
-    imported::{ImportInstance, InstanceSlot},
+    imported::{ImportFault, ImportInstance, InstanceSlot},
     ir::Program,
     library::{Library, LibraryFile, folder},
     machine::Machine,
@@ -29,12 +29,12 @@ impl ImportedFiles for Library<'_> {
         file: usize,
         parameters: GivenParameters,
         env: Env<'_>,
-    ) -> Result<(Value, Fields)> {
+    ) -> Result<Arc<ImportInstance>> {
         let slot = self.slot(file, &parameters)?;
         // Imports make no circle, so that whoever waits here is not waited for.
         let instance = slot.1.get_or_init(|| self.evaluate(file, slot.0, &parameters, env));
         instance.findings.iter().for_each(|finding| self.report(finding.clone()));
-        instance.outcome.clone()
+        Ok(Arc::clone(instance))
     }
 
     fn instance(
@@ -68,13 +68,15 @@ impl ImportedFiles for Library<'_> {
     }
 
     fn identity(&self, file: usize) -> u64 {
-        let LibraryFile { path, program, identity, .. } = &self.files[file];
+        let LibraryFile { path, program, identity, fault, .. } = &self.files[file];
         let spell = |recall: &CacheRun<'_>| {
             let all: Vec<usize> = (0..program.definitions.len()).collect();
             let none = Globals::default();
             let mut key = CacheKey::new(KeySort::Script, &none, &all, Some(self));
             key.text(folder(path));
             key.text(&format!("{:?} {:?}", program.unit, program.tolerance));
+            // A statement that is broken is no definition.
+            key.text(if fault.is_some() { "broken" } else { "" });
             for definition in &program.definitions {
                 key.text(&definition.name);
                 key.definition(definition, None);
@@ -152,30 +154,46 @@ impl Library<'_> {
         let mut findings = std::mem::take(&mut worker.diagnostics);
         findings.append(&mut worker.machine.warnings);
         let failed = findings.iter().find(|found| found.severity == Severity::Error);
-        // The mistake itself is told in its file; the importer stays quiet.
-        let failed = fault.clone().or_else(|| failed.cloned().map(Box::new));
-        let outcome = match failed {
-            Some(failed) => Err(failed),
-            None => Ok(public(program, &home)),
+        let lost = || {
+            let shown = shown(program).filter(|(idx, _)| home.value(*idx).is_none());
+            shown.map(|(_, name)| name).collect()
         };
+        let fault = match fault {
+            Some(first) => Some(ImportFault { first: first.clone(), lost: None }),
+            None => {
+                failed.cloned().map(Box::new).map(|first| ImportFault { first, lost: Some(lost()) })
+            }
+        };
+        let shown = public(program, &home);
+        let is_doubtful = !findings.is_empty() || 0 < worker.machine.n_doubtful;
         let Worker { reads, n_steps, .. } = worker;
-        Arc::new(ImportInstance { number, home, outcome, findings, reads, n_steps })
+        Arc::new(ImportInstance {
+            number,
+            home,
+            shown,
+            fault,
+            is_doubtful,
+            findings,
+            reads,
+            n_steps,
+        })
     }
 }
 
 /// What a file shows: its named definitions but for those that begin with `_`, and their
 /// identities.
 fn public(program: &Program, home: &Globals) -> (Value, Fields) {
-    let shown = || {
-        program
-            .definitions
-            .iter()
-            .enumerate()
-            .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'))
-            .map(|(idx, definition)| (idx, Arc::clone(&definition.name)))
-    };
+    let shown = || shown(program);
     let record =
         Record::new(shown().filter_map(|(idx, name)| Some((name, home.value(idx)?.clone()))));
     let fields = shown().filter_map(|(idx, name)| Some((name, home.mark(idx)?.result))).collect();
     (Value::Record(Arc::new(record)), fields)
+}
+
+/// The named definitions of a file but for those that begin with `_`.
+fn shown(program: &Program) -> impl Iterator<Item = (usize, Arc<str>)> {
+    let named = program.definitions.iter().enumerate();
+    named
+        .filter(|(_, definition)| definition.is_named() && !definition.name.starts_with('_'))
+        .map(|(idx, definition)| (idx, Arc::clone(&definition.name)))
 }

@@ -9,10 +9,7 @@ use super::{
     globals::Globals,
     memory::{Fields, FileRead},
 };
-use crate::{
-    diag::{Diagnostic, Result},
-    value::Value,
-};
+use crate::{diag::Diagnostic, value::Value};
 
 /// An imported file with its parameters, evaluated.
 #[derive(Debug)]
@@ -21,13 +18,34 @@ pub(crate) struct ImportInstance {
     pub(super) number: usize,
     /// Functions of the file look here for its definitions.
     pub(super) home: Arc<Globals>,
-    pub(super) outcome: Result<(Value, Fields)>,
+    /// The record of what it shows, as far as that has values, and the identities of those.
+    pub(super) shown: (Value, Fields),
+    /// What went wrong.
+    pub(super) fault: Option<ImportFault>,
+    /// Whether it warns of something, or a file that it evaluates does.
+    pub(super) is_doubtful: bool,
     /// What went wrong, and what is doubtful.
     pub(super) findings: Vec<Diagnostic>,
     /// The files that its definitions read, where results are remembered.
     pub(super) reads: BTreeSet<FileRead>,
     /// The steps that it took.
     pub(super) n_steps: u64,
+}
+
+/// What is missing of an imported file.
+#[derive(Clone, Debug)]
+pub(super) struct ImportFault {
+    /// The first thing that went wrong.
+    pub(super) first: Box<Diagnostic>,
+    /// The names without a value; of a text with mistakes nobody knows all.
+    pub(super) lost: Option<BTreeSet<Arc<str>>>,
+}
+
+impl ImportFault {
+    /// Whether it may be its fault that a name means nothing.
+    pub(super) fn has_lost(&self, name: &str) -> bool {
+        self.lost.as_ref().is_none_or(|lost| lost.contains(name))
+    }
 }
 
 /// The place of an instance, which is made once.

@@ -185,7 +185,7 @@ pub(crate) struct Definition {
     /// Slots that its expression needs.
     pub(crate) n_slots: usize,
     /// Definitions that it uses, in ascending order, each once.
-    pub(crate) dependencies: Vec<usize>,
+    pub(crate) dependencies: Vec<Dependency>,
     /// Whether a mistake in it was reported already.
     pub(crate) is_poisoned: bool,
     /// Presentation: evaluated options after `with`.
@@ -252,6 +252,14 @@ pub(crate) fn param_kinds() -> impl Iterator<Item = &'static str> {
     ParamKind::ALL.iter().map(|&(word, _)| word)
 }
 
+/// A definition that something uses.
+#[derive(Clone, Debug)]
+pub(crate) struct Dependency {
+    pub(crate) definition: usize,
+    /// The fields of an import, where nothing else of it is used: the others may have failed.
+    pub(crate) fields: Option<Box<[Arc<str>]>>,
+}
+
 /// A statement that acts on values.
 #[derive(Debug)]
 pub(crate) struct Effect {
@@ -259,7 +267,7 @@ pub(crate) struct Effect {
     pub(crate) span: Span,
     pub(crate) kind: EffectKind,
     pub(crate) n_slots: usize,
-    pub(crate) dependencies: Vec<usize>,
+    pub(crate) dependencies: Vec<Dependency>,
     pub(crate) is_poisoned: bool,
 }
 
@@ -290,7 +298,7 @@ pub(crate) enum EffectKind {
 #[derive(Debug)]
 pub(crate) struct PrintedExpr {
     pub(crate) expr: Expr,
-    pub(crate) dependencies: Vec<usize>,
+    pub(crate) dependencies: Vec<Dependency>,
     pub(crate) is_poisoned: bool,
 }
 

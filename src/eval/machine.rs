@@ -14,6 +14,7 @@ use super::{
     env::Env,
     function::ScriptFunction,
     globals::Globals,
+    imported::ImportFault,
     index,
     ir::{BinaryOp, Block, CaptureSource, Expr, ExprKind, Group},
     memory::{Fields, FileRead},
@@ -54,6 +55,10 @@ pub(crate) struct Machine<'a> {
     pub(super) n_untold: usize,
     /// The results that the last import brought, where they have an identity.
     pub(super) imported: Fields,
+    /// How many files with warnings were evaluated.
+    pub(super) n_doubtful: usize,
+    /// What went wrong in the file that was imported last.
+    pub(super) import_fault: Option<ImportFault>,
     /// The scripts that the expression under way has called, by their numbers.
     pub(super) scripts: BTreeSet<usize>,
 }
@@ -79,6 +84,8 @@ impl<'a> Machine<'a> {
             switches: None,
             n_untold: 0,
             imported: Fields::default(),
+            n_doubtful: 0,
+            import_fault: None,
             scripts: BTreeSet::new(),
         }
     }
@@ -175,7 +182,7 @@ impl<'a> Machine<'a> {
     }
 
     fn global(&self, idx: usize, span: Span) -> Result<Value> {
-        match self.home.value(idx) {
+        match self.home.known(idx) {
             Some(value) => Ok(value.clone()),
             // The order of evaluation puts what is used first, and failures stay quiet.
             _ => Diagnostic::error(Code::Cycle, span, "this has no value yet").fail(),

@@ -70,6 +70,8 @@ struct MemoryEntry {
     /// Missing where it must be made again.
     value: Option<Value>,
     reads: Arc<BTreeSet<FileRead>>,
+    /// The steps that it took.
+    n_steps: u64,
     /// The run that gave the identity.
     first_run: u64,
     last_run: u64,
@@ -124,6 +126,8 @@ pub(crate) struct CachedResult {
     pub(crate) value: Option<Value>,
     /// The files that it read.
     pub(crate) reads: Arc<BTreeSet<FileRead>>,
+    /// The steps that it took.
+    pub(crate) n_steps: u64,
 }
 
 impl Memory {
@@ -145,6 +149,11 @@ impl Memory {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Forgets every result.
+    pub fn forget(&self) {
+        self.lock().results.clear();
     }
 
     fn lock(&self) -> MutexGuard<'_, MemoryState> {
@@ -178,7 +187,7 @@ impl CacheRun<'_> {
 
     /// The identity of a key that is no definition's.
     pub(super) fn intern(&self, key: Box<[u8]>) -> u64 {
-        self.keep(key, None, BTreeSet::new())
+        self.keep(key, None, BTreeSet::new(), 0)
     }
 
     /// The result of an earlier run under this key, if the files that it read hold what they held.
@@ -193,7 +202,7 @@ impl CacheRun<'_> {
                 return None;
             }
             let (value, reads) = (entry.value.clone(), Arc::clone(&entry.reads));
-            CachedResult { result: entry.result, value, reads }
+            CachedResult { result: entry.result, value, reads, n_steps: entry.n_steps }
         };
         known.reads.iter().all(|read| self.print(read, files) == read.print).then_some(known)
     }
@@ -204,12 +213,17 @@ impl CacheRun<'_> {
         key: Box<[u8]>,
         value: Option<Value>,
         reads: BTreeSet<FileRead>,
+        n_steps: u64,
     ) -> u64 {
         let mut state = self.memory.lock();
         if let Some(entry) = state.results.get_mut(&key)
             && *entry.reads == reads
         {
             entry.last_run = self.run;
+            // A twin of this run may have been evaluated without a warning, which goes by the spelling.
+            if value.is_none() {
+                entry.value = None;
+            }
             return entry.result;
         }
         state.n_results += 1;
@@ -217,6 +231,7 @@ impl CacheRun<'_> {
             result: state.n_results,
             value,
             reads: Arc::new(reads),
+            n_steps,
             first_run: self.run,
             last_run: self.run,
             is_settled: false,

@@ -8,7 +8,8 @@ use super::{
     file_run::FileRun,
     globals::{Globals, KeptGlobals},
     ir::{
-        Arg, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, Kind, PrintedExpr, REPORT,
+        Arg, DefinitionRole, Effect, EffectKind, ExportedSubjects, Expr, ExprKind, Kind,
+        PrintedExpr, REPORT,
     },
     load::{LoadedScript, load},
     machine::Machine,
@@ -236,9 +237,11 @@ impl FileRun<'_> {
                     let value = self.keep(result)?;
                     let name = self.subject_name(expr, &value);
                     let look = self.look_of_subject(expr, looks);
-                    // What is defined nearer hides what has its name farther out.
-                    let mut all = definitions.iter().rev().copied().flatten();
-                    let identity = all.find(|its| its.name == name).and_then(|its| its.identity);
+                    let mark = match expr.kind {
+                        ExprKind::Global(idx) => self.machine.home.mark(idx),
+                        _ => None,
+                    };
+                    let identity = mark.map(|mark| mark.result);
                     let value = Spanned::new(value, expr.span);
                     subjects.push(ExportSubject { name, value, look, identity });
                 }

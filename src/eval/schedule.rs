@@ -86,8 +86,10 @@ impl ComponentQueue {
         let (mut users, mut n_missing) = (vec![Vec::new(); n_components], vec![0; n_components]);
         for (component, members) in program.components.iter().enumerate() {
             let uses = members.iter().flat_map(|&idx| &program.definitions[idx].dependencies);
-            let mut used: Vec<usize> =
-                uses.map(|&idx| owner[idx]).filter(|&other| other != component).collect();
+            let mut used: Vec<usize> = uses
+                .map(|used| owner[used.definition])
+                .filter(|&other| other != component)
+                .collect();
             used.sort_unstable();
             used.dedup();
             n_missing[component] = used.len();

@@ -145,7 +145,7 @@ fn used_by_parameters(program: &Program) -> Vec<bool> {
     while let Some(idx) = left.pop() {
         if !is_used[idx] {
             is_used[idx] = true;
-            left.extend(&definitions[idx].dependencies);
+            left.extend(definitions[idx].dependencies.iter().map(|used| used.definition));
         }
     }
     is_used

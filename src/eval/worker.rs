@@ -8,7 +8,7 @@ use std::{
 use super::{
     cache_key::{CacheKey, KeySort},
     env::ImportedFiles,
-    globals::Globals,
+    globals::{Globals, Kept},
     ir::{Definition, DefinitionRole, ExprKind, Program},
     machine::{FileReads, Machine},
     memory::{CacheRun, CachedResult, FileRead, ResultId, Work},
@@ -71,17 +71,21 @@ impl<'a> Worker<'a> {
     pub(super) fn component(&mut self, program: &Program, members: &[usize], inputs: Inputs<'_>) {
         let is_ready = members.iter().all(|&idx| {
             let Some(definition) = program.definition(idx) else { return false };
-            let mut outside = definition.dependencies.iter().filter(|idx| !members.contains(idx));
-            !definition.is_poisoned && outside.all(|&idx| self.machine.home.value(idx).is_some())
+            let mut outside =
+                definition.dependencies.iter().filter(|used| !members.contains(&used.definition));
+            !definition.is_poisoned && outside.all(|used| self.machine.home.has(used))
         });
         match self.memory {
-            _ if !is_ready => members.iter().for_each(|&idx| self.machine.home.keep(idx, None)),
+            _ if !is_ready => {
+                members.iter().for_each(|&idx| self.machine.home.keep(idx, Kept::Failed))
+            }
             None => {
                 for &idx in members {
                     let definition = program.definition(idx);
                     let value =
                         definition.and_then(|definition| self.definition(definition, inputs));
-                    self.machine.home.keep(idx, value);
+                    let kept = self.kept(value);
+                    self.machine.home.keep(idx, kept);
                 }
             }
             Some((recall, file)) => {
@@ -96,8 +100,22 @@ impl<'a> Worker<'a> {
                     let definition = program.definition(idx);
                     let found = definition
                         .and_then(|definition| self.recalled(definition, key, inputs, recall));
-                    home.keep_marked(idx, found);
+                    let (value, mark) = found.unzip();
+                    home.keep_marked(idx, self.kept(value), mark);
                 }
+            }
+        }
+    }
+
+    /// What a definition came to, whose value is this; of an import what is wrong in its file is wrong here.
+    fn kept(&mut self, value: Option<Value>) -> Kept {
+        let fault = self.machine.import_fault.take();
+        match (value, fault) {
+            (None, _) => Kept::Failed,
+            (Some(value), None) => Kept::Whole(value),
+            (Some(value), Some(fault)) => {
+                self.diagnostics.push(fault.first.as_ref().clone());
+                Kept::Part(value, fault)
             }
         }
     }
@@ -115,14 +133,18 @@ impl<'a> Worker<'a> {
         }
         let known = recall.find(&key, self.machine.env.files);
         let old = known.as_ref().map(|known| known.result);
-        if let Some(CachedResult { result, value: Some(value), reads }) = known {
+        if let Some(CachedResult { result, value: Some(value), reads, n_steps }) = known {
             self.reads.extend(reads.iter().cloned());
+            self.n_steps += n_steps;
             return Some((value, ResultId::new(result, Work::Reused)));
         }
-        let n_warnings = self.machine.warnings.len();
+        let n_warnings = |machine: &Machine<'_>| machine.warnings.len() + machine.n_doubtful;
+        let n_before = n_warnings(&self.machine);
+        let n_steps = self.n_steps;
         let (value, reads) = self.with_reads(definition, inputs)?;
-        let is_kept = !value.extent().holds_functions && self.machine.warnings.len() == n_warnings;
-        let result = recall.keep(key, is_kept.then(|| value.clone()), reads);
+        let is_kept = !value.extent().holds_functions && n_warnings(&self.machine) == n_before;
+        let n_steps = self.n_steps - n_steps;
+        let result = recall.keep(key, is_kept.then(|| value.clone()), reads, n_steps);
         let work = if old == Some(result) { Work::Renewed } else { Work::Evaluated };
         Some((value, ResultId::new(result, work)))
     }

@@ -49,6 +49,8 @@ struct MemoryState {
 struct KnownMeshes {
     meshes: Vec<Arc<Mesh>>,
     is_used: bool,
+    /// The steps that they took.
+    n_steps: u64,
     /// The geometry, whose addresses are in the key.
     _held: Vec<Subject>,
 }
@@ -63,6 +65,11 @@ impl MeshMemory {
         }
         drop(state);
         self.clone()
+    }
+
+    /// Forgets every mesh.
+    pub(crate) fn forget(&self) {
+        self.lock().known.clear();
     }
 
     /// How many times meshes were there already.
@@ -110,11 +117,13 @@ impl MeshMemory {
         if let Some(meshes) = key.as_ref().and_then(|key| self.known(key)) {
             return Ok(meshes);
         }
+        let n_before = work::done().steps;
         let meshes = make()?;
+        let n_steps = work::done().steps - n_before;
         // What work that was ended left is no mesh.
         if let Some(key) = key.filter(|_| work::ended().is_none()) {
             let meshes = meshes.clone();
-            self.keep(key, KnownMeshes { meshes, is_used: true, _held: held() });
+            self.keep(key, KnownMeshes { meshes, is_used: true, n_steps, _held: held() });
         }
         Ok(meshes)
     }
@@ -124,7 +133,11 @@ impl MeshMemory {
         let known = state.known.get_mut(key)?;
         known.is_used = true;
         let meshes = known.meshes.clone();
+        let n_steps = known.n_steps;
         state.n_recalled += 1;
+        drop(state);
+        // A ceiling is crossed, or not, whatever was made before; whoever wrote under it tells.
+        let _ = work::goes_on(n_steps);
         Some(meshes)
     }
 

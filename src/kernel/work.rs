@@ -258,6 +258,12 @@ pub fn collect<T>(items: impl IntoIterator<Item = T>) -> Option<Vec<T>> {
     items.into_iter().all(|item| push(&mut list, item)).then_some(list)
 }
 
+/// What was done so far under the innermost watch.
+#[must_use]
+pub fn done() -> Done {
+    STATE.get().done
+}
+
 /// Why the work was ended, if it was.
 #[must_use]
 pub fn ended() -> Option<End> {

@@ -117,6 +117,19 @@ fn the_number_of_workers_changes_nothing() {
 
 /// What is called as a column of every study has a column of its own, and margins have their unit.
 #[test]
+fn memory_that_earlier_variants_left_does_not_count() {
+    let scratch = Scratch::new("study-memory");
+    scratch.file(
+        "a.geo",
+        "param n = 1\nlet big = [for i in 0..<600_000: [i * n]]\nlet n_big = len(big)\n",
+    );
+    let limit = ["--limit", "memory=90000000", "--threads", "1"];
+    let args = [&["--vary", "n=1,2,3", "-o", "r.csv"][..], &limit].concat();
+    let (out, err, code) = study(&scratch, &args);
+    assert_eq!((out.as_str(), err.as_str(), code), ("wrote r.csv: 3 rows\n", "", 0));
+}
+
+#[test]
 fn names_and_margins_are_told_apart() {
     let scratch = Scratch::new("study-names");
     let script = "param id = 1\nparam code = 2\nparam tilt = 15deg\nlet message = \"all well\"\n\

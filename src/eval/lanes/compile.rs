@@ -125,8 +125,8 @@ impl<'m> Compiler<'m> {
                 None => self.machine.sibling(*idx),
             }),
             ExprKind::Global(idx) => known(match frame.function {
-                Some(function) => function.home.upgrade()?.value(*idx)?.clone(),
-                None => self.machine.home.value(*idx)?.clone(),
+                Some(function) => function.home.upgrade()?.known(*idx)?.clone(),
+                None => self.machine.home.known(*idx)?.clone(),
             }),
             ExprKind::Unary(op, operand) => {
                 let operand = self.expr(operand, frame)?;

@@ -61,6 +61,11 @@ impl<'s> Lowerer<'_, 's> {
                 if let Some(whole) = self.whole_of(subject, &value) {
                     self.noted.part_uses.push((whole, Arc::clone(&field), place));
                 }
+                if let ExprKind::Global(idx) = value.kind
+                    && self.imports.contains(&idx)
+                {
+                    self.uses.narrow(idx, &field);
+                }
                 ExprKind::Field(value, field, place)
             }
             ast::ExprKind::Lambda(names, body) => self.lambda(names, body),

@@ -46,7 +46,7 @@ pub(super) fn order(
 
 /// What a definition uses of those numbered from `first`, counted from there.
 fn own_dependencies(definition: &Definition, first: usize) -> Vec<usize> {
-    definition.dependencies.iter().filter_map(|idx| idx.checked_sub(first)).collect()
+    definition.dependencies.iter().filter_map(|used| used.definition.checked_sub(first)).collect()
 }
 
 /// A vertex under way: the vertex and the next edge to look at.

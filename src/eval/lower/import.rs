@@ -1,5 +1,7 @@
 //! Lowering of imports: a record under a name, or some of its fields under theirs.
 
+use std::sync::Arc;
+
 use super::{
     super::ir::{Definition, DefinitionRole, Expr, ExprKind},
     Imported, Lowerer,
@@ -99,9 +101,11 @@ impl<'s> Lowerer<'_, 's> {
             if let Some(imported) = imported {
                 self.check_listed(name, imported);
             }
-            self.dependencies.insert(whole_idx);
+            let text: Arc<str> = name.text.into();
+            self.uses.add(whole_idx);
+            self.uses.narrow(whole_idx, &text);
             let record = Expr { kind: ExprKind::Global(whole_idx), span: place };
-            let field = ExprKind::Field(Box::new(record), name.text.into(), place);
+            let field = ExprKind::Field(Box::new(record), text, place);
             let field = Expr { kind: field, span: place };
             definitions.push(self.finish(name.text, place, DefinitionRole::Import, field));
         }

@@ -11,6 +11,7 @@ mod scope;
 mod script;
 mod statement;
 mod test;
+mod uses;
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -19,6 +20,7 @@ use std::{
 
 use scope::Scopes;
 pub(super) use script::ScriptCall;
+use uses::Uses;
 
 use super::{
     ir::{CaptureSource, Expr, ExprKind, Program},
@@ -98,7 +100,8 @@ pub(crate) fn lower<'s>(
         tested: None,
         first: 0,
         scopes: Scopes::default(),
-        dependencies: BTreeSet::new(),
+        uses: Uses::default(),
+        imports: BTreeSet::new(),
         n_unknown: 0,
         is_poisoned: false,
         noted: NotedNames::default(),
@@ -132,7 +135,9 @@ struct Lowerer<'a, 's> {
     first: usize,
     scopes: Scopes<'s>,
     /// What the definition under way uses.
-    dependencies: BTreeSet<usize>,
+    uses: Uses,
+    /// The definitions that are whole imports.
+    imports: BTreeSet<usize>,
     /// Names without a meaning so far.
     n_unknown: usize,
     /// Whether a mistake was found in the definition under way.
@@ -235,7 +240,7 @@ impl<'s> Lowerer<'_, 's> {
         }
         if let Some((idx, defined)) = self.global(name) {
             self.noted.uses.push((span, defined));
-            self.dependencies.insert(idx);
+            self.uses.add(idx);
             return Expr { kind: ExprKind::Global(idx), span };
         }
         if self.registry.names_script(name) {

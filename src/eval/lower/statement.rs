@@ -126,7 +126,7 @@ impl<'s> Lowerer<'_, 's> {
         let (mut definitions, mut effects) = (Vec::with_capacity(next - self.first), Vec::new());
         for statement in statements {
             self.scopes.enter_definition();
-            self.dependencies.clear();
+            self.uses.clear();
             self.begin(statement.span);
             match &statement.kind {
                 StatementKind::Param(param) => {
@@ -149,7 +149,7 @@ impl<'s> Lowerer<'_, 's> {
                         span: self.at(statement.span),
                         kind,
                         n_slots,
-                        dependencies: self.dependencies.iter().copied().collect(),
+                        dependencies: self.uses.dependencies(),
                         is_poisoned: self.is_poisoned,
                     }));
                     continue;
@@ -168,6 +168,7 @@ impl<'s> Lowerer<'_, 's> {
             StatementKind::Function(function) => vec![function.name],
             StatementKind::Import(import) => {
                 let names = self.import_names(import);
+                self.imports.insert(*next);
                 // The whole comes first, and stands also where no name could be found.
                 *next += usize::from(import.names.is_some() || names.is_empty());
                 names
@@ -218,7 +219,7 @@ impl<'s> Lowerer<'_, 's> {
             role,
             value,
             n_slots,
-            dependencies: std::mem::take(&mut self.dependencies).into_iter().collect(),
+            dependencies: std::mem::take(&mut self.uses).dependencies(),
             is_poisoned: std::mem::take(&mut self.is_poisoned),
             with: Vec::new(),
         }
@@ -322,7 +323,7 @@ impl<'s> Lowerer<'_, 's> {
                 let parts =
                     self.take_apart(pattern, |span| Expr { kind: ExprKind::Global(whole), span });
                 for (name, part) in parts {
-                    self.dependencies.insert(whole);
+                    self.uses.add(whole);
                     let span = self.at(name.span);
                     definitions.push(self.finish(name.text, span, role(), part));
                 }
@@ -349,12 +350,12 @@ impl<'s> Lowerer<'_, 's> {
 
     /// An expression of a print, which may be broken as a whole, with what it depends on by itself.
     fn printed(&mut self, expr: &ast::Expr<'s>, is_broken: bool) -> PrintedExpr {
-        let mut others = std::mem::take(&mut self.dependencies);
+        let others = std::mem::take(&mut self.uses);
         let was_poisoned = std::mem::replace(&mut self.is_poisoned, is_broken);
         let expr = self.expr(expr);
-        let dependencies = self.dependencies.iter().copied().collect();
+        let dependencies = self.uses.dependencies();
         let is_poisoned = self.is_poisoned;
-        self.dependencies.append(&mut others);
+        self.uses.append(others);
         self.is_poisoned |= was_poisoned;
         PrintedExpr { expr, dependencies, is_poisoned }
     }
@@ -373,7 +374,7 @@ impl<'s> Lowerer<'_, 's> {
                 let subjects = self.subjects(&export.subjects);
                 // Of a text with mistakes nobody knows all.
                 self.is_poisoned |= subjects.is_of_whole_file() && !self.origin.faults.is_empty();
-                let named = self.dependencies.iter().copied().collect();
+                let named = self.uses.definitions();
                 let path = self.expr(&export.path);
                 let options: Vec<Arg> = self.args(&export.options);
                 EffectKind::Export { subjects, named, path, options }

@@ -96,7 +96,7 @@ impl<'s> Lowerer<'_, 's> {
         if !found.is_empty() {
             // The answer needs no values.
             self.is_poisoned = was_poisoned;
-            self.dependencies.clear();
+            self.uses.clear();
         }
         // Of several mistakes one of another kind is what happened instead.
         let other = found.iter().position(|found| found.code != code).unwrap_or(0);

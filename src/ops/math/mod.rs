@@ -190,8 +190,9 @@ impl FromValue for Ratio {
 fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {
     let source = ctx.sources.and_then(|sources| sources.at(angle));
     let Some(text) = source.and_then(|source| source.text.get(source.local(angle))) else { return };
-    let number: Option<u32> = text.trim_start_matches('-').parse().ok();
-    if !number.is_some_and(|number| 30 <= number && number.is_multiple_of(15)) {
+    // However it is spelled, so that what is remembered of a number goes for all its spellings.
+    let number: Option<f64> = text.trim_start_matches('-').replace('_', "").parse().ok();
+    if !number.is_some_and(|number| 30.0 <= number && number % 15.0 == 0.0) {
         return;
     }
     let message = format!("`{text}` without a unit counts as radians");

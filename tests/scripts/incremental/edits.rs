@@ -38,6 +38,10 @@ const STATEMENTS: &[&str] = &[
     "import \"lib.geo\" as d# with (k = dA)",
     "import \"lib.geo\" (f0)",
     "let d# = dA.one + dA.two(dB)",
+    "let d# = script(\"middle.geo\", k = dA).y",
+    "let d# = script(\"middle.geo\").y + sin(90)",
+    "let d# = sin(9e1) + cos(90.0) + dA",
+    "surface parametric((u, v) => (u, v, dA * u), 0..1, 0..1) export parametric((u, v) => (u, v, u * v), 0..1, 0..1) to \"p#.stl\"",
     "print dA, dB",
     "check dA == dB \"of {dB}\"",
     "check fA(1) > 0",
@@ -62,6 +66,16 @@ const LIBRARIES: &[&str] = &[
     "let one = 1 / 0",
     "param k = 2\nlet one = load(\"data.json\")\nfn two(x) = x\nfn f0(x) = 1",
     "let one = (",
+    "param k = 2\nlet one = sin(90)\nfn two(x) = x\nfn f0(x) = x",
+    "param k = 2\nlet one = k\nlet more = 1 / 0\nfn two(x) = x + more\nfn f0(x) = x",
+];
+
+/// What the file between says, one after another.
+const MIDDLES: &[&str] = &[
+    "import \"lib.geo\" as lib\nparam k = 1\nlet y = lib.one + k",
+    "import \"lib.geo\" as lib\nparam k = 1\nlet y = lib.one + k\nlet q = = 3",
+    "import \"lib.geo\" as lib\nparam k = 1\nlet y = lib.one + k\nprint nothing",
+    "import \"lib.geo\" (one)\nlet k = load(\"data.json\")\nlet y = one",
 ];
 
 /// A document under edit.
@@ -84,6 +98,7 @@ impl Document {
         };
         document.hold("data.json", DATA[0]);
         document.hold("lib.geo", LIBRARIES[0]);
+        document.hold("middle.geo", MIDDLES[0]);
         let start = ["let d0 = 4", "fn f0(x) = x + d0", "let d1 = f0(d0)", "param d2 = 3 in 0..10"];
         document.statements.extend(start.map(str::to_owned));
         document.n_added = 3;
@@ -138,6 +153,7 @@ impl Document {
             11 => self.hold("data.json", DATA[choice % DATA.len()]),
             12 => self.hold("lib.geo", LIBRARIES[choice % LIBRARIES.len()]),
             13 => self.is_in_metres = !self.is_in_metres,
+            14 => self.hold("middle.geo", MIDDLES[choice % MIDDLES.len()]),
             _ => {}
         }
     }
@@ -186,7 +202,7 @@ proptest! {
 
     #[test]
     fn an_incremental_run_is_a_fresh_run(
-        edits in vec((0..14u8, 0..40usize, 0..40usize), 1..40),
+        edits in vec((0..15u8, 0..40usize, 0..40usize), 1..40),
         n_threads in 1..=4usize,
     ) {
         let [fresh, incremental] = sessions(n_threads);
@@ -204,6 +220,71 @@ proptest! {
     }
 }
 
+/// A document and its files, one state after another, told by a fresh and by an incremental session.
+fn told_alike(states: &[(&str, &[(&str, &str)])]) {
+    let [fresh, incremental] = sessions(2);
+    for (text, files) in states {
+        let mut shelf = Shelf::default();
+        shelf.0.extend(files.iter().map(|&(path, text)| (path.to_owned(), text.to_owned())));
+        let run = |session: &Session| told(&session.run("d.geo", text.as_bytes(), &shelf, &[]));
+        assert_eq!(run(&incremental), run(&fresh), "{text}\n{files:?}");
+    }
+}
+
+#[test]
+fn what_lies_below_a_called_script_counts() {
+    let (outer, middle) =
+        ("let a = script(\"x.geo\").y\nprint a", "import \"z.geo\" as z\nlet y = z.t");
+    let state =
+        |z: &'static str, data: &'static str| [("x.geo", middle), ("z.geo", z), ("d.csv", data)];
+    let load = "let t = load(\"d.csv\").v[0]";
+    let [one, two] = ["v\n1", "v\n2"].map(|data| state(load, data));
+    told_alike(&[(outer, &one), (outer, &two), (outer, &two[..2]), (outer, &one)]);
+    let doubtful = state("let t = sin(90)", "");
+    told_alike(&[(outer, &doubtful), (outer, &doubtful), (outer, &one)]);
+    let broken = |more: &str| format!("let y = 1\n{more}");
+    for more in [
+        "let q = = 3",
+        "print nope",
+        "check 1 ==",
+        "tolerance -1",
+        "geo 2",
+        "test \"t\" { print nope }",
+    ] {
+        let (whole, broken) = (broken(""), broken(more));
+        let files = [&whole, &broken, &whole].map(|text| [("x.geo", text.as_str())]);
+        told_alike(&files.each_ref().map(|files| (outer, files.as_slice())));
+    }
+}
+
+#[test]
+fn a_number_warns_however_it_is_spelled() {
+    let states = ["let a = sin(9e1)", "let a = sin(90)", "let b = sin(90.0)\nlet a = sin(90)"];
+    told_alike(&[0, 1, 0, 2, 2].map(|i| (states[i], [].as_slice())));
+}
+
+#[test]
+fn an_exported_expression_is_not_what_stands_on_its_line() {
+    let text = "surface parametric((u, v) => (u, v, sin(u * 1rad)), 0..1, 0..1) export parametric((u, v) => (u, v, u * v), 0..1, 0..1) to \"b.stl\" export all to \"a.stl\"";
+    told_alike(&[(text, &[]), (text, &[])]);
+}
+
+#[test]
+fn ceilings_are_crossed_whatever_is_remembered() {
+    let heavy = |name: &str| format!("let {name} = sum([for i in 0..<3000: sqrt(i)])");
+    let script = ["a", "b", "c", "y"].map(heavy).join("\n");
+    let shelf = Shelf([("x.geo".to_owned(), script)].into());
+    let session = || Session::new(Limits { steps: 15_000, ..Limits::DEFAULT });
+    let remembering = session().incremental();
+    for q in 1..4 {
+        let text = format!("let q = {q}\nlet a = script(\"x.geo\").y + q\nprint a");
+        let run = |session: &Session| told(&session.run("d.geo", text.as_bytes(), &shelf, &[]));
+        let (here, there) = (run(&remembering), run(&session()));
+        assert!(there.contains("steps"), "{there}");
+        assert_eq!(here, there);
+    }
+}
+
 #[test]
 fn the_edits_try_everything() {
     let [_, incremental] = sessions(1);
@@ -218,7 +299,7 @@ fn the_edits_try_everything() {
         if next(40) == 0 {
             document = Document::new();
         }
-        document.edit(next(14) as u8, next(40), next(40));
+        document.edit(next(15) as u8, next(40), next(40));
         let report = document.run(&incremental);
         let works = [Work::Evaluated, Work::Renewed, Work::Reused, Work::Failed];
         seen.iter_mut().zip(works).for_each(|(seen, work)| *seen += report.n_with(work));

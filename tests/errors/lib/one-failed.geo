@@ -1,0 +1,2 @@
+let good = 3
+let bad = sqrt("x")
