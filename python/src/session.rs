@@ -4,7 +4,9 @@ use std::{
     io,
     path::PathBuf,
     process,
-    sync::{Arc, Mutex, OnceLock, PoisonError},
+    sync::{Arc, Mutex, MutexGuard, OnceLock, TryLockError},
+    thread,
+    time::Duration,
 };
 
 use pyo3::{
@@ -34,22 +36,37 @@ use crate::{
     picture::{self, Wanted},
 };
 
-/// A session of the library with the switch that stops it; one run at a time.
+/// How long a run waits before it asks again whether it is its turn.
+const WAIT: Duration = Duration::from_millis(2);
+
+/// A session of the library; one run at a time.
 pub(crate) struct Engine {
     session: session::Session,
-    stop: StopToken,
     turn: Mutex<()>,
 }
 
 impl Engine {
     fn new(limits: Limits, n_threads: usize) -> Self {
-        let stop = StopToken::default();
-        let session = session::Session::new(limits)
-            .on_threads(n_threads)
-            .measured(held)
-            .stopped_by(stop.clone())
-            .incremental();
-        Self { session, stop, turn: Mutex::default() }
+        let session =
+            session::Session::new(limits).on_threads(n_threads).measured(held).incremental();
+        Self { session, turn: Mutex::default() }
+    }
+
+    /// The session under a switch of its own: Ctrl-C ends what its thread asked for, and nothing else.
+    fn under(&self, stop: &StopToken) -> session::Session {
+        self.session.clone().stopped_by(stop.clone())
+    }
+
+    /// Waits until no other run is under way, or the switch is set.
+    fn turn(&self, stop: &StopToken) -> Option<MutexGuard<'_, ()>> {
+        loop {
+            match self.turn.try_lock() {
+                Ok(turn) => return Some(turn),
+                Err(TryLockError::Poisoned(turn)) => return Some(turn.into_inner()),
+                Err(TryLockError::WouldBlock) if stop.is_stopped() => return None,
+                Err(TryLockError::WouldBlock) => thread::sleep(WAIT),
+            }
+        }
     }
 }
 
@@ -122,9 +139,10 @@ impl Session {
             .map(|(name, text)| Setting { called: format!("{name}={text}"), name, text })
             .collect();
         let files = ScriptFiles::new(&folder);
-        let report = interruptible(py, &engine.stop, || {
-            let _turn = engine.turn.lock().unwrap_or_else(PoisonError::into_inner);
-            engine.session.run(&name, &text, &files, &settings)
+        let stop = StopToken::default();
+        let report = interruptible(py, &stop, || {
+            let _turn = engine.turn(&stop);
+            engine.under(&stop).run(&name, &text, &files, &settings)
         })?;
         if let Some(unknown) = report.unknown_settings.first() {
             return Err(PyKeyError::new_err(unknown.clone()));
@@ -133,6 +151,7 @@ impl Session {
         Ok(Results {
             report: Arc::new(report),
             engine,
+            stop,
             inputs,
             script: folder.join(name),
             settings,
@@ -149,9 +168,10 @@ impl Session {
     ) -> PyResult<String> {
         let engine = self.engine();
         let files = ScriptFiles::new(&folder);
-        let found = interruptible(py, &engine.stop, || {
-            let _turn = engine.turn.lock().unwrap_or_else(PoisonError::into_inner);
-            engine.session.parameters(name, text, &files)
+        let stop = StopToken::default();
+        let found = interruptible(py, &stop, || {
+            let _turn = engine.turn(&stop);
+            engine.under(&stop).parameters(name, text, &files)
         })?;
         match found {
             Ok(schema) => Ok(virote::cli::schema_json(name, &schema).to_string()),
@@ -179,9 +199,10 @@ impl Session {
         };
         let arguments = arguments(&callee, args, named)?;
         let files = ScriptFiles::new(&folder);
-        let (answer, warnings) = interruptible(py, &engine.stop, || {
+        let stop = StopToken::default();
+        let (answer, warnings) = interruptible(py, &stop, || {
             let document = (Unit::Mm, Tolerance::DEFAULT);
-            engine.session.call(&callee, arguments, document, &files)
+            engine.under(&stop).call(&callee, arguments, document, &files)
         })?;
         for warning in warnings {
             let text = format!("[{}] {}", warning.code.id(), warning.message);
@@ -274,6 +295,8 @@ fn read(
 pub(crate) struct Results {
     report: Arc<Report>,
     engine: Arc<Engine>,
+    /// The switch that its files go by.
+    stop: StopToken,
     inputs: Vec<PathBuf>,
     script: PathBuf,
     settings: Vec<Setting>,
@@ -388,7 +411,7 @@ impl Results {
         let mut written = Vec::new();
         for file in files {
             let path = out.join(&file.path);
-            let made = interruptible(py, &self.engine.stop, || {
+            let made = interruptible(py, &self.stop, || {
                 let mut bytes = Vec::new();
                 file.write(&mut bytes).map_err(WriteFailure::Refused)?;
                 let folder = path.parent().unwrap_or(&out);
@@ -416,9 +439,9 @@ impl Results {
         view: Option<String>,
         only: Vec<String>,
     ) -> PyResult<Vec<u8>> {
-        let engine = &self.engine;
+        let stop = StopToken::default();
         let wanted = Wanted { size, view: view.as_deref(), only: &only };
-        picture::draw(py, &engine.session, &engine.stop, &self.report, wanted)
+        picture::draw(py, &self.engine.under(&stop), &stop, &self.report, wanted)
     }
 
     /// The page of the viewer with this model, which asks nobody; nothing where there is none.

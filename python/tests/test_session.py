@@ -277,6 +277,36 @@ def test_ctrl_c_ends_work_at_once(work: str) -> None:
     assert time.perf_counter() - begin < 10
 
 
+BESIDE = """
+import threading, virote
+session, found = virote.Session(), {}
+text = "let a = [for i in 0..<3000: length(bezier((0, 0), (1, i), (2, 0)))]"
+def work():
+    found["here"] = len(session.run_text(text)["a"])
+    found["there"] = virote.length(virote.bezier([(0, 0), (1, 1), (2, 0)]))
+beside = threading.Thread(target=work)
+beside.start()
+print("ready", flush=True)
+try:
+    while beside.is_alive():
+        session.run_text("let b = 1")
+except KeyboardInterrupt:
+    beside.join()
+    print("interrupted", found["here"], found["there"] > 2, flush=True)
+"""
+
+
+def test_ctrl_c_ends_what_its_own_thread_asked_for() -> None:
+    with subprocess.Popen(
+        [sys.executable, "-c", BESIDE], stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as child:
+        assert child.stdout is not None and child.stdout.readline() == b"ready\n"
+        time.sleep(0.2)
+        child.send_signal(signal.SIGINT)
+        out, err = child.communicate(timeout=60)
+    assert out == b"interrupted 3000 True\n", err
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="the system does not fork")
 @pytest.mark.filterwarnings("ignore::DeprecationWarning")
 def test_a_forked_process_has_sessions_that_answer() -> None:
