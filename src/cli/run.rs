@@ -263,12 +263,12 @@ pub(super) fn act(
                     ending = ending.max(worst);
                 }
                 Some(FileOutcome::Told(summary)) if !is_refused => {
-                    findings.extend(turned(file, &summary));
+                    findings.extend(doubts(file, &summary));
                     voice.written(&file.path, None);
                 }
                 Some(FileOutcome::Staged(staged, summary)) if !is_refused => match staged.place() {
                     Ok(()) => {
-                        findings.extend(turned(file, &summary));
+                        findings.extend(doubts(file, &summary));
                         voice.written(&file.path, Some(summary));
                     }
                     Err(err) => {
@@ -365,6 +365,21 @@ fn stage(
         }
         Err(found) => FileOutcome::Refused(*found, ExitStatus::Usage),
     }
+}
+
+/// Warnings of what a file came to hold.
+fn doubts(file: &File, summary: &Summary) -> impl Iterator<Item = Diagnostic> {
+    turned(file, summary).into_iter().chain(rounded(file, summary))
+}
+
+/// A warning of numbers that are too coarse for where the geometry lies.
+fn rounded(file: &File, summary: &Summary) -> Option<Diagnostic> {
+    let rounding = summary.rounding?;
+    let message = format!(
+        "the file has numbers of single precision, which move places by up to {rounding:.1e}: farther than the tolerance"
+    );
+    let hint = "`translate` the geometry near the origin, or choose a format with more digits, such as .obj, .ply, or .stl with (binary = false)";
+    Some(Diagnostic::warning(Code::Unclean, file.span, message).hint(hint))
 }
 
 /// A warning of surfaces and meshes that were turned for a file.

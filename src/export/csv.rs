@@ -26,7 +26,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
                 Some(unit) => format!("{} [{unit}]", column.name),
                 None => column.name.clone(),
             };
-            text.push(if i == 0 { "" } else { "," }).push(&cell(&title));
+            text.push(if i == 0 { "" } else { "," }).push(&text_cell(&title));
         }
         text.push("\n");
         for row in 0..table.n_rows() {

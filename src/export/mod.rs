@@ -218,7 +218,7 @@ const STROKE: f64 = 0.002;
 const POINT: f64 = 1.75;
 
 /// What a file came to hold.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Summary {
     /// Vertices of meshes.
     pub vertices: usize,
@@ -238,6 +238,8 @@ pub struct Summary {
     pub documents: usize,
     /// What was turned so that closed shells face outward, by name.
     pub turned: Vec<String>,
+    /// How far numbers of single precision move places, where that is farther than the tolerance.
+    pub rounding: Option<f64>,
 }
 
 /// `482 vertices, 960 triangles`.

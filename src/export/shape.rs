@@ -88,6 +88,16 @@ impl Summary {
         summary
     }
 
+    /// The same of a file of single precision.
+    pub(super) fn of_single(job: &Job, shapes: &[ShapedItem<'_>]) -> Self {
+        let bounds = shapes.iter().filter_map(|shaped| Bounds::of(shaped.points().iter().copied()));
+        let bounds = bounds.reduce(Bounds::union);
+        let rounding = bounds.map(|all| 0.5 * f64::from(f32::EPSILON) * all.magnitude());
+        let size = bounds.map_or(0.0, Bounds::diagonal);
+        let tolerance = job.options.tolerance.unwrap_or(DEFAULT_CHORD_RELATIVE * size);
+        Self { rounding: rounding.filter(|&rounding| tolerance < rounding), ..Self::of(shapes) }
+    }
+
     /// Counts a shape.
     pub(super) fn add(&mut self, shaped: &ShapedItem<'_>) {
         match &shaped.shape {

@@ -37,9 +37,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let shapes = shapes(job)?;
     if job.options.binary.unwrap_or(true) {
         write_binary(job, &shapes, out)?;
-    } else {
-        write_text(job, &shapes, out)?;
+        return Ok(Summary::of_single(job, &shapes));
     }
+    write_text(job, &shapes, out)?;
     Ok(Summary::of(&shapes))
 }
 

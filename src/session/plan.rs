@@ -58,10 +58,16 @@ impl Session {
         };
         let items = items_of(&exported, format, diagnostics);
         if items.is_empty() && !exported.is_report && diagnostics.len() == before {
+            let hint = match exported.subjects.is_empty() {
+                true => {
+                    "`export all` takes the definitions that begin with `point`, `curve`, `surface`, `region`, `face`, `solid` or `mesh`"
+                }
+                false => "what is named is an empty list",
+            };
             diagnostics.push(
                 Diagnostic::error(Code::CannotExport, span, "there is nothing to export")
                     .label("this file would be empty")
-                    .hint("`export all` takes the definitions that begin with `point`, `curve`, `surface` or `mesh`"),
+                    .hint(hint),
             );
         }
         let options = options(&exported.options, format, diagnostics);
@@ -353,10 +359,11 @@ impl GatheredItems {
     }
 }
 
-/// Whether a value is geometry or a list of it.
+/// Whether a value is geometry, or a list or a record that holds some.
 fn has_place(value: &Value) -> bool {
     match value {
-        Value::List(items) => items.iter().next().is_some_and(has_place),
+        Value::List(items) => items.numbers().is_none() && items.iter().any(has_place),
+        Value::Record(record) => record.iter().any(|(_, member)| has_place(member)),
         other => subject(other).is_some_and(|subject| subject.is_geometry()),
     }
 }

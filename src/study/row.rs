@@ -227,13 +227,12 @@ fn in_degrees(angle: Number) -> f64 {
 
 /// `neck [mm]`; what is called like a column of every study, with a prime.
 fn titled(name: &str, unit: Option<&str>) -> String {
-    match unit {
-        Some(unit) => format!("{name} [{unit}]"),
-        None if [ID, CODE, MESSAGE, MILLISECONDS, PICTURE].contains(&name) => {
-            format!("{name}{PRIME}")
-        }
-        None => name.to_owned(),
-    }
+    let prime = match [ID, CODE, MESSAGE, MILLISECONDS, PICTURE].contains(&name) {
+        true => PRIME.to_string(),
+        false => String::new(),
+    };
+    let unit = unit.map_or(String::new(), |unit| format!(" [{unit}]"));
+    format!("{name}{prime}{unit}")
 }
 
 /// Whether a check holds, and its margin, which is negative where it does not.

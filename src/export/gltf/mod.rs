@@ -199,7 +199,7 @@ impl<'a> GltfScene<'a> {
             parts.add(shaped, scale)?;
         }
         let (n_bytes, document) = (parts.n_bytes, parts.document());
-        Ok(Self { summary: Summary::of(&shapes), shapes, document, n_bytes, scale })
+        Ok(Self { summary: Summary::of_single(job, &shapes), shapes, document, n_bytes, scale })
     }
 }
 

@@ -15,7 +15,10 @@ use crate::{
 /// The table of a file.
 pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let header = text.trim_start_matches(['\n', '\r']).split(['\n', '\r']).next();
-    let is_in_header = |separator: &u8| header.is_some_and(|it| it.as_bytes().contains(separator));
+    // What stands in quotation marks separates nothing.
+    let outside: Vec<u8> = header
+        .map_or(Vec::new(), |header| header.split('"').step_by(2).flat_map(str::bytes).collect());
+    let is_in_header = |separator: &u8| outside.contains(separator);
     let separator = [b',', b';', b'\t'].into_iter().find(is_in_header).unwrap_or(b',');
     let (header, rows) = csv_rows(text, separator, ctx.limits.list_length)?;
     let line = line_at(text, header.start);

@@ -24,7 +24,7 @@ op! {
     /// Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
     /// export wrote, to the same bits, or lists and records of other JSON. Of an export in another unit the
     /// columns of tables are brought into the document's, all other numbers are taken as they stand, with a
-    /// warning. Files are text in UTF-8, or in UTF-16 with its byte-order mark.
+    /// warning; so are those of a mesh whose `.obj` says `# unit: m`. Files are text in UTF-8, or in UTF-16 with its byte-order mark.
     /// The example's `points.csv` has the lines `x,y`, `0,0`, `1,2` and `4,3`.
     load in Mesh -> Value {
         /// The path.
@@ -132,15 +132,23 @@ fn json(text: &str, ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
     let is_document = data.get("virote").and_then(Json::as_str) == Some("document");
     let written_in = data.get("unit").and_then(Json::as_str).filter(|_| is_document);
     let stays = || data.get("values").is_none_or(holds_lengths);
-    if let Some(unit) = written_in.filter(|unit| *unit != ctx.unit && stays()) {
-        let message = format!(
-            "the file was written in {unit}, and the script's unit is {}: its lengths are taken as they stand",
-            ctx.unit
-        );
-        let hint = "state the file's `unit` in the script, or `scale` what it holds";
-        ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
+    if let Some(unit) = written_in.filter(|_| stays()) {
+        compare_units(unit, ctx);
     }
     Ok(value)
+}
+
+/// Warns where a file was written in another unit than the script's.
+pub(super) fn compare_units(unit: &str, ctx: &mut Ctx<'_>) {
+    if unit == ctx.unit {
+        return;
+    }
+    let message = format!(
+        "the file was written in {unit}, and the script's unit is {}: its lengths are taken as they stand",
+        ctx.unit
+    );
+    let hint = "state the file's `unit` in the script, or `scale` what it holds";
+    ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
 }
 
 /// Whether some number may be a length that is not known to be one.

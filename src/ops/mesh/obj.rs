@@ -2,7 +2,10 @@
 
 use glam::{DVec2, DVec3};
 
-use super::obj_lines::{ObjLines, whole_lines};
+use super::{
+    load::compare_units,
+    obj_lines::{ObjLines, whole_lines},
+};
 use crate::{
     kernel::{GeomError, Mesh, split_polygon},
     limits::work,
@@ -10,7 +13,7 @@ use crate::{
 };
 
 /// All objects of a file as one mesh, polygons as faces.
-pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
+pub(super) fn read(text: &str, ctx: &mut Ctx<'_>) -> Result<Value, String> {
     let told = |error: String| match first_mistake(text) {
         Some((line, what)) => format!("line {line}: {what}"),
         None => error,
@@ -30,6 +33,11 @@ pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let merged = Mesh::merged(&meshes, ctx.limits.mesh_vertices).map_err(|err| err.to_string())?;
     if merged.triangles().is_empty() {
         return Err("the file holds no triangles".to_owned());
+    }
+    // As an export says it, above everything else.
+    let unit = text.lines().next().and_then(|line| line.strip_prefix("# unit:"));
+    if let Some(unit) = unit {
+        compare_units(unit.trim(), ctx);
     }
     Ok(merged.into_value())
 }
