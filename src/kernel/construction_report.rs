@@ -1,8 +1,13 @@
 //! What was done to make a piece of geometry, for whoever asks.
 
-use std::sync::Arc;
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+};
 
 use glam::DVec3;
+
+use crate::{NurbsCurve, work};
 
 /// What a construction did that its result does not show: facts under names, in order.
 ///
@@ -19,7 +24,41 @@ use glam::DVec3;
 #[derive(Clone, Debug, Default)]
 pub struct ConstructionReport {
     /// Behind one pointer, as most geometry has none.
-    facts: Option<Arc<Vec<(&'static str, ReportEntry)>>>,
+    facts: Option<Arc<ReportFacts>>,
+}
+
+/// Facts in their order.
+type Facts = Vec<(&'static str, ReportEntry)>;
+
+/// Facts that are known, or found when somebody asks.
+enum ReportFacts {
+    Told(Facts),
+    Asked { ask: Box<dyn Fn() -> ConstructionReport + Send + Sync>, found: OnceLock<Facts> },
+}
+
+impl ReportFacts {
+    fn get(&self) -> &[(&'static str, ReportEntry)] {
+        match self {
+            Self::Told(facts) => facts,
+            Self::Asked { ask, found } => {
+                if let Some(found) = found.get() {
+                    return found;
+                }
+                let facts = ask().facts().map(|(name, fact)| (name, fact.clone())).collect();
+                // What work that was ended left is no answer.
+                if work::ended().is_some() { &[] } else { found.get_or_init(|| facts) }
+            }
+        }
+    }
+}
+
+impl fmt::Debug for ReportFacts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Told(facts) => facts.fmt(f),
+            Self::Asked { .. } => f.write_str("Asked"),
+        }
+    }
 }
 
 /// A fact of a [`ConstructionReport`].
@@ -46,6 +85,8 @@ pub enum ReportEntry {
     Angle(f64),
     /// A place or a direction.
     Point(DVec3),
+    /// A curve.
+    Curve(Box<NurbsCurve>),
     /// A word.
     Text(Arc<str>),
     /// Several facts of a kind.
@@ -69,8 +110,28 @@ impl ConstructionReport {
     /// The same with one more fact.
     #[must_use]
     pub fn with(mut self, name: &'static str, fact: impl Into<ReportEntry>) -> Self {
-        Arc::make_mut(self.facts.get_or_insert_default()).push((name, fact.into()));
-        self
+        let mut facts = match self.facts.take().map(Arc::try_unwrap) {
+            None => Vec::new(),
+            Some(Ok(ReportFacts::Told(facts))) => facts,
+            Some(Ok(facts)) => facts.get().to_vec(),
+            Some(Err(shared)) => shared.get().to_vec(),
+        };
+        facts.push((name, fact.into()));
+        Self { facts: Some(Arc::new(ReportFacts::Told(facts))) }
+    }
+
+    /// A report whose facts are found when somebody asks for them, each time the same.
+    ///
+    /// ```
+    /// use virote_kernel::ConstructionReport;
+    ///
+    /// let report = ConstructionReport::later(|| ConstructionReport::of("intersect").with("proven", true));
+    /// assert_eq!(report.facts().count(), 2);
+    /// ```
+    #[must_use]
+    pub fn later(ask: impl Fn() -> Self + Send + Sync + 'static) -> Self {
+        let facts = ReportFacts::Asked { ask: Box::new(ask), found: OnceLock::new() };
+        Self { facts: Some(Arc::new(facts)) }
     }
 
     /// The report, if it has facts.
@@ -80,7 +141,8 @@ impl ConstructionReport {
 
     /// The facts in order.
     pub fn facts(&self) -> impl Iterator<Item = (&'static str, &ReportEntry)> {
-        self.facts.iter().flat_map(|facts| facts.iter()).map(|(name, fact)| (*name, fact))
+        let facts = self.facts.iter().flat_map(|facts| facts.get());
+        facts.map(|(name, fact)| (*name, fact))
     }
 }
 
@@ -105,6 +167,12 @@ impl From<f64> for ReportEntry {
 impl From<usize> for ReportEntry {
     fn from(count: usize) -> Self {
         Self::Number(count as f64)
+    }
+}
+
+impl From<NurbsCurve> for ReportEntry {
+    fn from(curve: NurbsCurve) -> Self {
+        Self::Curve(Box::new(curve))
     }
 }
 

@@ -66,6 +66,7 @@ into_variant! {
         ReportEntry::Length(length) => Length(*length).into_value(),
         ReportEntry::Angle(angle) => Angle(*angle).into_value(),
         ReportEntry::Point(point) => Value::Point(*point),
+        ReportEntry::Curve(curve) => (**curve).clone().into_value(),
         ReportEntry::Text(text) => Value::Text(text.clone()),
         ReportEntry::List(facts) => Value::list(facts.iter().map(IntoValue::into_value).collect()),
         ReportEntry::Numbers(numbers) => {

@@ -1,7 +1,7 @@
 //! Curves on two surfaces: what is proven of them.
 
 use virote_kernel::{
-    CurveEnd, Frame, NurbsSurface, SurfaceCurve, SurfaceCurveKind, Tolerance, glam::DVec3,
+    CurveEnd, Frame, NurbsSurface, Surface, SurfaceCurve, SurfaceCurveKind, Tolerance, glam::DVec3,
 };
 
 fn tube(center: DVec3, axis: DVec3, radius: f64, length: f64) -> NurbsSurface {
@@ -61,6 +61,24 @@ fn tubes_that_cross_are_proven_within_the_tolerance() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_curve_as_it_is_is_proven_as_far_as_it_is_away() {
+    let surfaces = [&sphere(DVec3::ZERO, 2.0), &tube(DVec3::X, DVec3::Z, 1.2, 6.0)];
+    let [a, b] = surfaces.map(|surface| Surface::from(surface.clone()));
+    let found = a.intersections(&b, Tolerance::DEFAULT).expect("curves");
+    assert!(!found.curves.is_empty());
+    for curve in &found.curves {
+        let told = SurfaceCurve::of(curve, surfaces, 1e-6).expect("what is known of it");
+        assert!(told.is_proven && told.deviation <= 1e-6 && &told.curve == curve);
+        keeps_its_bounds(&told, surfaces);
+        // Moved by more than the tolerance it is none of both.
+        let by = virote_kernel::glam::DAffine3::from_translation(DVec3::new(2e-6, 2e-6, 2e-6));
+        let moved =
+            SurfaceCurve::of(&curve.transformed(&by), surfaces, 1e-6).expect("what is known");
+        assert!(!moved.is_proven && moved.radius.is_none());
     }
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::Result,
-    kernel::{Face, NurbsCurve},
+    kernel::{Face, NurbsCurve, SurfaceCurve},
     value::{At, Ctx, op},
 };
 
@@ -13,7 +13,7 @@ op! {
     ///
     /// A loop without corners is one closed curve. A seam over which the face goes is no border. Along lines
     /// of constant parameters, on planes, and where they are conics, edges are exact; elsewhere cubic or quintic
-    /// splines within an eighth of the document's tolerance.
+    /// splines within an eighth of the document's tolerance; `report` of an edge bounds how far from the surface it is.
     edges in Face -> Vec<NurbsCurve> {
         /// The face.
         f: Arc<Face>,
@@ -23,5 +23,10 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
-    args.f.edges(ctx.tolerance).at(ctx.span)
+    let edges = args.f.edges(ctx.tolerance).at(ctx.span)?;
+    let told = |edge| {
+        let surface = Arc::clone(args.f.surface());
+        SurfaceCurve::reported_on(edge, surface, ctx.tolerance, "edges")
+    };
+    Ok(edges.into_iter().map(told).collect())
 }

@@ -19,6 +19,13 @@ op! {
     /// A `deviation` is `{max, mean, at}` with `at` the parameter where it is largest; of one that
     /// is proven instead of measured only its bound is told.
     ///
+    /// Of the curves that `intersect` gives of two surfaces, `section` of one, and `edges`, it tells what they are on
+    /// them: the `kind` (`"crossing"`, `"border"` where a surface ends or `"contact"` where they only touch), a bound of
+    /// the `deviation` from both (`none` where nothing is known), whether it is `proven` that they cross in one smooth
+    /// arc within `radius` of it (of a border that the deviation is within the tolerance), its curves of parameters
+    /// `on` both, over the parameter of the curve, in the plane of u and v, and what it is `between` (`"border"`,
+    /// `"junction"`, `"closed"`, `"seam"`). It is found when somebody asks.
+    ///
     /// Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
     /// and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
     /// edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
@@ -29,6 +36,7 @@ op! {
     }
     example "report(interpolate((0, 0), (1, 1), (2, 0))).parameters" => "[0, 0.5, 1]";
     example "report(reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02)).degree" => "1";
+    example "report(intersect(sphere((0, 0), 2), cylinder((0, 0, -3), 1, 6))[0]).proven" => "true";
     example "report(solid(box((0, 0, 0), (1, 2, 3)))).edges" => "12";
     example "report(solid([sphere((0, 0), 2), sphere((0, 0), 1)])).shells" => "2";
     refuses "report(line((0, 0), (1, 2)))" => "E0306: this is a curve that no construction with a report returned";
@@ -51,7 +59,7 @@ impl MissingReport {
             _ => format!("{what} has no report: only curves, surfaces and solids do"),
         };
         let hint = "fits, networks, skins, sweeps, offsets and edits within a tolerance leave one; \
-                    what is made of their result does not have it";
+                    so do curves of `intersect`, `section` and `edges`; what is made of their result does not have it";
         Box::new(
             Diagnostic::error(Code::NoField, span, message).label("without a report").hint(hint),
         )

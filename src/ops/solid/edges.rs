@@ -1,9 +1,11 @@
 //! `edges` of a solid.
 
+use std::sync::Arc;
+
 use super::GivenSolid;
 use crate::{
     diag::Result,
-    kernel::NurbsCurve,
+    kernel::{NurbsCurve, SolidEdge, SurfaceCurve},
     value::{At, Ctx, op},
 };
 
@@ -12,7 +14,7 @@ op! {
     ///
     /// Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
     /// constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth
-    /// of the document's tolerance.
+    /// of the document's tolerance; `report` of an edge bounds how far from both faces it is.
     edges in Solid -> Vec<NurbsCurve> {
         /// The solid.
         s: GivenSolid,
@@ -23,5 +25,11 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
-    args.s.edges(ctx.tolerance).at(ctx.span)
+    let topology = args.s.topology(ctx.tolerance).at(ctx.span)?;
+    let faces = args.s.faces();
+    let told = |edge: SolidEdge| {
+        let surfaces = edge.faces.map(|face| Arc::clone(faces[face].surface()));
+        SurfaceCurve::reported(edge.curve, surfaces, ctx.tolerance, "edges")
+    };
+    Ok(topology.edges.into_iter().filter(|edge| !edge.is_seam()).map(told).collect())
 }

@@ -11,7 +11,7 @@ use super::{
     CurveEnd, SurfaceCurve, SurfaceCurveKind, certificate,
     lift::{LiftForm, LiftedPiece, lifted, pieces_of},
     piece::{Carrier, CurvePiece},
-    place::PlaceFinder,
+    place::{FAR, PlaceFinder},
     spline::spline,
 };
 use crate::{
@@ -65,14 +65,44 @@ impl SurfaceCurve {
         surfaces: [&NurbsSurface; 2],
         tolerance: f64,
     ) -> Result<Self, GeomError> {
+        let allowed = EDGE_SHARE * tolerance;
+        let forms = [(LiftForm::Kept, allowed), (LiftForm::Refitted, allowed)];
+        Self::in_a_form(curve, surfaces, tolerance, &forms)
+    }
+
+    /// The same of a curve as it is: where it is farther than the tolerance from a surface nothing is known of its
+    /// deviation. Where surfaces cross at a small angle they do so farther away, which the radius tells.
+    ///
+    /// # Errors
+    /// As [`NurbsCurve::new`].
+    pub fn of(
+        curve: &NurbsCurve,
+        surfaces: [&NurbsSurface; 2],
+        tolerance: f64,
+    ) -> Result<Self, GeomError> {
+        // The nearer its parameters are to it, the nearer it is proven to be.
+        let shares = [EDGE_SHARE, 0.5, 1.0];
+        let forms = shares.map(|share| (LiftForm::Kept, share * tolerance));
+        let mut found = Self::in_a_form(curve, surfaces, tolerance, &forms)?;
+        if !found.is_proven && found.deviation <= tolerance {
+            found.prove_within(surfaces, tolerance, FAR * tolerance);
+        }
+        Ok(found)
+    }
+
+    fn in_a_form(
+        curve: &NurbsCurve,
+        surfaces: [&NurbsSurface; 2],
+        tolerance: f64,
+        forms: &[(LiftForm, f64)],
+    ) -> Result<Self, GeomError> {
         let finder = PlaceFinder::new(surfaces, curve, tolerance);
         let kind = kind_of(curve, surfaces, tolerance);
-        let allowed = EDGE_SHARE * tolerance;
-        let kept = lifted(&finder, curve, LiftForm::Kept, allowed).map(|found| (found, true));
-        let found = kept.or_else(|| {
-            lifted(&finder, curve, LiftForm::Refitted, allowed).map(|found| (found, false))
+        let found = forms.iter().find_map(|&(form, allowed)| {
+            let pieces = lifted(&finder, curve, form, allowed)?;
+            (!pieces.is_empty()).then_some((pieces, form == LiftForm::Kept))
         });
-        let Some((pieces, is_kept)) = found.filter(|(pieces, _)| !pieces.is_empty()) else {
+        let Some((pieces, is_kept)) = found else {
             return Self::unlifted(curve, surfaces, kind);
         };
         let on = |i: usize| {
@@ -125,6 +155,11 @@ impl SurfaceCurve {
     /// Bounds the deviation anew and tries to prove that the surfaces cross along it, no further than a distance
     /// away.
     pub fn prove(&mut self, surfaces: [&NurbsSurface; 2], distance: f64) {
+        self.prove_within(surfaces, distance, distance);
+    }
+
+    /// The same, where the surfaces may cross as far away as they may beside a curve within the distance of both.
+    fn prove_within(&mut self, surfaces: [&NurbsSurface; 2], distance: f64, reach: f64) {
         let carriers = surfaces.map(Carrier::new);
         let pieces = self.pieces();
         let mut deviation = 0.0_f64;
@@ -139,7 +174,7 @@ impl SurfaceCurve {
         if self.kind == SurfaceCurveKind::Crossing {
             let mut radius = Some(0.0_f64);
             for piece in pieces {
-                let own = certificate::radius(&carriers, piece, distance);
+                let own = certificate::radius(&carriers, piece, reach);
                 radius = radius.zip(own).map(|(most, own)| most.max(own));
                 if radius.is_none() {
                     break;
@@ -155,7 +190,7 @@ impl SurfaceCurve {
     }
 
     /// The curve and its parameters between all their knots.
-    fn pieces(&self) -> Vec<CurvePiece> {
+    pub(super) fn pieces(&self) -> Vec<CurvePiece> {
         let curves = [&self.curve, &self.on[0], &self.on[1]].map(pieces_of);
         let mut breaks: Vec<f64> = curves
             .iter()
@@ -201,7 +236,7 @@ fn refitted(curve: &NurbsCurve, mut pieces: Vec<LiftedPiece>) -> Result<NurbsCur
 }
 
 /// A part of a plane about all that could be in it, whose parameters are the plane's coordinates.
-fn sheet(plane: Frame, bounds: Bounds) -> Result<NurbsSurface, GeomError> {
+pub(super) fn sheet(plane: Frame, bounds: Bounds) -> Result<NurbsSurface, GeomError> {
     let center = bounds.center() - plane.origin();
     let reach = bounds.diagonal().max(LAST_BIT * bounds.magnitude());
     let middle = [center.dot(plane.x()), center.dot(plane.y())];

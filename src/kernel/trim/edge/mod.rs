@@ -2,19 +2,21 @@
 //!
 //! `place` finds the places that both surfaces have across a curve, `lift` makes pieces of the curve and of its
 //! parameters of them, `piece` bounds what these miss, `certificate` proves that the surfaces cross beside them, and
-//! `found` has all that two surfaces, or a surface and a plane, have in common.
+//! `found` has all that two surfaces, or a surface and a plane, have in common. `reported` tells of a curve what is
+//! known of it.
 
 mod certificate;
 mod found;
 mod lift;
 mod piece;
 mod place;
+mod reported;
 mod spline;
 
 pub(super) use certificate::{SlopeRanges, slope_ranges};
 pub(super) use piece::Carrier;
 
-use crate::{ConstructionReport, GeomError, Interval, NurbsCurve, ReportEntry};
+use crate::{GeomError, Interval, NurbsCurve};
 
 /// What two surfaces do along a curve that they share.
 ///
@@ -165,31 +167,5 @@ impl SurfaceCurve {
             Ok(part)
         };
         ends.windows(2).map(part).collect()
-    }
-
-    /// The curve with a report of what is known of it.
-    #[must_use]
-    pub fn reported(&self, operation: &str) -> NurbsCurve {
-        let on = |i: usize| -> Vec<ReportEntry> {
-            self.on[i].points().into_iter().map(ReportEntry::from).collect()
-        };
-        let side = |i: usize| {
-            ConstructionReport::default()
-                .with("degree", self.on[i].degree())
-                .with("points", on(i))
-                .with("knots", self.on[i].knots().as_slice().to_vec())
-        };
-        let length = |bound: f64| match bound.is_finite() {
-            true => ReportEntry::Length(bound),
-            false => ReportEntry::None,
-        };
-        let report = ConstructionReport::of(operation)
-            .with("kind", self.kind.word())
-            .with("deviation", length(self.deviation))
-            .with("radius", self.radius.map_or(ReportEntry::None, length))
-            .with("proven", self.is_proven)
-            .with("on", vec![side(0), side(1)])
-            .with("between", self.between.map(CurveEnd::word).to_vec());
-        self.curve.clone().with_report(report)
     }
 }

@@ -17,7 +17,7 @@ use crate::{
 };
 
 /// How far, in tolerances, a common place may be from the curve: further away it is another one.
-const FAR: f64 = 16.0;
+pub(super) const FAR: f64 = 16.0;
 
 /// Finds places of two surfaces beside a curve in which they meet.
 #[derive(Debug)]

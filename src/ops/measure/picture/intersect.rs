@@ -1,9 +1,11 @@
 //! `intersect` a surface with another, or with a curve.
 
+use std::sync::Arc;
+
 use super::{lines, pierced};
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, LevelSet},
+    kernel::{Curve, LevelSet, NurbsCurve, Surface, SurfaceCurve},
     ops::face::SurfaceOrFace,
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
 };
@@ -21,7 +23,7 @@ op! {
     /// is. A line along which they only touch is among the curves, and a warning
     /// tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
     /// is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
-    /// within a part of the tolerance.
+    /// within a part of the tolerance. `report` of a curve tells whether it is proven, and how far from both surfaces it may be.
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     /// Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     intersect in Measure -> Vec<Value> {
@@ -63,6 +65,18 @@ impl FromValue for SurfacePartner {
     }
 }
 
+/// A curve with what is known of it as one of both surfaces.
+fn reported(curve: NurbsCurve, surfaces: [&Surface; 2], ctx: &Ctx<'_>) -> NurbsCurve {
+    const OPERATION: &str = "intersect";
+    match surfaces.map(Surface::nurbs) {
+        [Ok(a), Ok(b)] => {
+            let both = [a, b].map(Arc::clone);
+            SurfaceCurve::reported(curve, both, ctx.tolerance, OPERATION)
+        }
+        _ => SurfaceCurve::reported_without_proof(curve, OPERATION),
+    }
+}
+
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     match &args.b {
         SurfacePartner::Surface(other) => {
@@ -70,7 +84,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
             let set = on_faces(set, [&args.a, other], ctx);
             let curves = lines(ctx, set, "the surfaces touch");
             let curves = other.clipped(args.a.clipped(curves, ctx)?, ctx)?;
-            Ok(curves.into_iter().map(IntoValue::into_value).collect())
+            let told = |curve| reported(curve, [&args.a, other], ctx);
+            Ok(curves.into_iter().map(|curve| told(curve).into_value()).collect())
         }
         SurfacePartner::Curve(curve) => {
             let records = pierced(ctx, curve, &args.a)?;

@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result},
-    kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface},
+    kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface, SurfaceCurve},
     ops::face::SurfaceOrFace,
     value::{At, Ctx, Record, Value, shortest},
 };
@@ -25,6 +25,18 @@ use crate::{
 fn section_curves(ctx: &mut Ctx<'_>, surface: &Surface, plane: Frame) -> Result<Vec<NurbsCurve>> {
     let section = surface.section(plane, ctx.tolerance).at(ctx.span)?;
     Ok(lines(ctx, section, "the plane touches the surface"))
+}
+
+/// A curve with what is known of it as one of a surface in a plane.
+fn reported(curve: NurbsCurve, surface: &Surface, plane: Frame, ctx: &Ctx<'_>) -> NurbsCurve {
+    const OPERATION: &str = "section";
+    match surface.nurbs() {
+        Ok(nurbs) => {
+            let (nurbs, tolerance) = (Arc::clone(nurbs), ctx.tolerance);
+            SurfaceCurve::reported_in_plane(curve, nurbs, plane, tolerance, OPERATION)
+        }
+        Err(_) => SurfaceCurve::reported_without_proof(curve, OPERATION),
+    }
 }
 
 /// The lines of a set; of its touches a warning tells.

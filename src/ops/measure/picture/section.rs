@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::section_curves;
+use super::{reported, section_curves};
 use crate::{
     diag::Result,
     kernel::{Frame, NurbsCurve},
@@ -19,7 +19,8 @@ op! {
     /// about by their length. To their left, seen from the side of the surface's normal, the surface is above the
     /// plane. They end at the surface's boundary, and where several cross. A patch that lies in the plane is
     /// told by its border; of a touch in a single point a warning tells. A plane that misses gives an
-    /// empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
+    /// empty list. A parametric surface is cut as a spline within a quarter of the tolerance. `report` of a curve tells
+    /// whether it is proven, and how far from the surface and the plane it may be.
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
     section in Measure -> Vec<NurbsCurve> {
         /// The surface, or a part of one.
@@ -38,5 +39,6 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
     let curves = section_curves(ctx, &args.g, *args.plane)?;
-    args.g.clipped(curves, ctx)
+    let curves = args.g.clipped(curves, ctx)?;
+    Ok(curves.into_iter().map(|curve| reported(curve, &args.g, *args.plane, ctx)).collect())
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::section_curves;
+use super::{reported, section_curves};
 use crate::{
     diag::{Result, Span},
     kernel::{Curve, Frame, Mesh, Surface},
@@ -56,7 +56,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
             }
             Sectioned::Surface(surface) => {
                 let curves = section_curves(ctx, surface, *args.plane)?;
-                found.extend(curves.into_iter().map(IntoValue::into_value));
+                let told = |curve| reported(curve, surface, *args.plane, ctx);
+                found.extend(curves.into_iter().map(|curve| told(curve).into_value()));
             }
             Sectioned::Mesh(mesh) => {
                 let curves = mesh.section(*args.plane).at(ctx.span)?;
