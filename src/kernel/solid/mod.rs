@@ -11,6 +11,7 @@ mod cut;
 mod error;
 mod mesh;
 mod nesting;
+mod part;
 mod piercing;
 mod place;
 mod sweep;

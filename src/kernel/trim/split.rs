@@ -39,6 +39,8 @@ pub enum Cutter {
     Surface(Arc<NurbsSurface>),
     /// A part of a surface.
     Face(Arc<Face>),
+    /// Faces that meet in edges, as those of a solid do: where they cut together counts.
+    Faces(Arc<[Face]>),
 }
 
 /// What a plane makes of a face.
@@ -163,12 +165,17 @@ impl Face {
         Ok(PartsBesidePlane { parts: parts.into_iter().map(with_height).collect(), contacts })
     }
 
+    /// Some places of it, of its border among them.
+    pub(crate) fn some_places(&self, tolerance: Tolerance) -> Vec<DVec3> {
+        let places = self.parts.iter().flat_map(|part| part.some_places(tolerance));
+        places.map(|place| self.plane.point(place)).collect()
+    }
+
     /// The farthest height over a plane of some places of a face that is on one side of it.
     pub(crate) fn height_above(&self, plane: Frame, tolerance: Tolerance) -> f64 {
-        let places = self.parts.iter().flat_map(|part| part.some_places(tolerance));
-        let height = |place: DVec3| (self.plane.point(place) - plane.origin()).dot(plane.z());
+        let height = |place: DVec3| (place - plane.origin()).dot(plane.z());
         let farther = |a: f64, b: f64| if a.abs() < b.abs() { b } else { a };
-        places.map(height).fold(0.0, farther)
+        self.some_places(tolerance).into_iter().map(height).fold(0.0, farther)
     }
 
     pub(super) fn distance(&self, tolerance: Tolerance) -> f64 {
@@ -235,6 +242,12 @@ impl Face {
         match cutter {
             Cutter::Curve(curve) => pulled(std::slice::from_ref(curve), None),
             Cutter::Plane(plane) => Ok(self.plane_arcs(*plane, index, tolerance)?.0),
+            Cutter::Faces(faces) => {
+                let of_face = |face: &Self| {
+                    self.arcs_of(&Cutter::Face(Arc::new(face.clone())), index, tolerance)
+                };
+                Ok(faces.iter().map(of_face).collect::<Result<Vec<_>, _>>()?.concat())
+            }
             Cutter::Surface(_) | Cutter::Face(_) => {
                 let (other, face) = match cutter {
                     Cutter::Face(face) => (face.surface(), Some(face)),

@@ -17,7 +17,9 @@ use std::{ops::Deref, sync::Arc};
 use super::region::Border;
 use crate::{
     diag::{Result, Span},
-    kernel::{Cutter, Direction, Face, GeomError, NurbsCurve, Surface, SurfacePiece, Tolerance},
+    kernel::{
+        Cutter, Direction, Face, GeomError, NurbsCurve, Solid, Surface, SurfacePiece, Tolerance,
+    },
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Op, RealSurface, Type, Value},
 };
 
@@ -182,7 +184,11 @@ impl RealSurfaceOrFace {
 }
 
 /// What divides a face: a curve on it, a plane, a surface or face, or a list of them.
-struct Cutters(Vec<Cutter>);
+struct Cutters {
+    cutters: Vec<Cutter>,
+    /// The only one, if it is a solid.
+    solid: Option<Arc<Solid>>,
+}
 
 impl FromValue for Cutters {
     const TYPE: Type = Type::OneOf(&[
@@ -190,7 +196,11 @@ impl FromValue for Cutters {
         Type::Surface,
         Type::Face,
         Type::Curve,
-        Type::List(&Type::OneOf(&[Type::Plane, Type::Surface, Type::Face, Type::Curve]), 1),
+        Type::Solid,
+        Type::List(
+            &Type::OneOf(&[Type::Plane, Type::Surface, Type::Face, Type::Curve, Type::Solid]),
+            1,
+        ),
     ]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
@@ -201,6 +211,7 @@ impl FromValue for Cutters {
             Ok(match value {
                 Value::Frame(plane) => Cutter::Plane(**plane),
                 Value::Face(face) => Cutter::Face(Arc::clone(face)),
+                Value::Solid(solid) => Cutter::Faces(solid.faces().into()),
                 Value::Surface(surface) => {
                     Cutter::Surface(Arc::clone(surface.nurbs().map_err(failed)?))
                 }
@@ -210,9 +221,16 @@ impl FromValue for Cutters {
         };
         match value {
             Value::List(items) if !items.is_empty() => {
-                items.iter().map(cutter).collect::<std::result::Result<_, _>>().map(Self)
+                let cutters = items.iter().map(cutter).collect::<std::result::Result<_, _>>()?;
+                Ok(Self { cutters, solid: None })
             }
-            single => cutter(single).map(|cutter| Self(vec![cutter])),
+            single => {
+                let solid = match single {
+                    Value::Solid(solid) => Some(Arc::clone(solid)),
+                    _ => None,
+                };
+                Ok(Self { cutters: vec![cutter(single)?], solid })
+            }
         }
     }
 }

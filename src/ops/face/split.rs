@@ -8,7 +8,7 @@ use crate::{
 };
 
 op! {
-    /// All parts into which curves on it, planes and surfaces divide a surface or face.
+    /// All parts into which curves on it, planes, surfaces and solids divide a surface or face.
     ///
     /// Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
     /// are those of the true curves. A part goes over the seam of a closed surface as over any other place.
@@ -17,7 +17,7 @@ op! {
     split in Face -> Vec<Face> {
         /// The surface or face.
         s: Spanned<SurfaceOrFace>,
-        /// A curve on it, a plane, a surface or face, or a list of them.
+        /// A curve on it, a plane, a surface or face, a solid, or a list of them.
         by: Spanned<Cutters>,
     }
     example "[for f in split(sphere((0, 0), 1), by = plane((0, 0, 0.5), (0, 0, 1))): area(f)] ~= [3*pi, pi]" => "true";
@@ -31,5 +31,5 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Face>> {
     let face = args.s.value.face(args.s.span, ctx.tolerance)?;
-    face.split(&args.by.value.0, ctx.tolerance).at(args.by.span)
+    face.split(&args.by.value.cutters, ctx.tolerance).at(args.by.span)
 }

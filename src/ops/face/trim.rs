@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Cutters, SurfaceOrFace};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::Cutter,
+    kernel::{Cutter, Face, FaceError, GeomError},
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
 };
 
@@ -13,18 +13,20 @@ op! {
     /// Part of a surface or face beside a point, of those into which cutters divide it as `split` does.
     ///
     /// `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
-    /// is where its normal points. Where more than one part is on that side, all of them are the answer, as a list.
-    /// A plane that misses leaves all of the face, or is an error where that is on the other side.
+    /// is where its normal points; or `"inside"` or `"outside"` where it is a solid. Where more than one part is on
+    /// that side, all of them are the answer, as a list. A plane or solid that misses leaves all of the face, or is an
+    /// error where that is on the other side.
     trim in Face -> TrimmedParts {
         /// The surface or face.
         s: Spanned<SurfaceOrFace>,
-        /// A curve on it, a plane, a surface or face, or a list of them.
+        /// A curve on it, a plane, a surface or face, a solid, or a list of them.
         by: Spanned<Cutters>,
         /// What stays.
         keep: Spanned<Keep>,
     }
     example "area(trim(sphere((0, 0), 1), by = plane((0, 0, 0.5), (0, 0, 1)), keep = \"above\")) ~= pi" => "true";
     example "area(trim(plane_patch((0, 0), (4, 0), (0, 4)), by = cylinder((2, 2, -1), 1, 2), keep = (0, 0))) ~= 16 - pi" => "true";
+    example "area(trim(plane_patch((-2, -2), (4, 0), (0, 4)), by = solid(sphere((0, 0), 1)), keep = \"inside\")) ~= pi" => "true";
     refuses "trim(sphere((0, 0), 1), by = plane((0, 0, 5), (0, 0, 1)), keep = \"above\")" => "E0607: nothing of the face is above the plane";
     refuses "trim(sphere((0, 0), 1), by = XY, keep = (0, 0, 3))" => "E0607: (0, 0, 3) is 2 from the face: it tells no part of it";
     scene r#"
@@ -36,18 +38,25 @@ op! {
 #[derive(Clone)]
 enum Keep {
     At(DVec3),
+    /// Of a plane.
     Above,
     Below,
+    /// Of a solid.
+    Inside,
+    Outside,
 }
 
 impl FromValue for Keep {
-    const TYPE: Type = Type::OneOf(&[Type::Point, Type::Choice(&["above", "below"])]);
+    const TYPE: Type =
+        Type::OneOf(&[Type::Point, Type::Choice(&["above", "below", "inside", "outside"])]);
 
     fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
         match value {
             Value::Point(point) => Ok(Self::At(*point)),
             Value::Text(word) if &**word == "above" => Ok(Self::Above),
             Value::Text(word) if &**word == "below" => Ok(Self::Below),
+            Value::Text(word) if &**word == "inside" => Ok(Self::Inside),
+            Value::Text(word) if &**word == "outside" => Ok(Self::Outside),
             Value::Text(_) => Err(Mismatch::kind(Self::TYPE, value).code(Code::BadChoice)),
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -67,37 +76,58 @@ impl IntoValue for TrimmedParts {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<TrimmedParts> {
     let face = args.s.value.face(args.s.span, ctx.tolerance)?;
-    let Spanned { value: Cutters(cutters), span: by } = &args.by;
-    let is_above = match args.keep.value {
+    let Spanned { value: Cutters { cutters, solid }, span: by } = &args.by;
+    let by = *by;
+    let mistake = |message: String, hint: &str| {
+        Diagnostic::error(Code::BadCall, args.keep.span, message).hint(hint).fail()
+    };
+    let (parts, side) = match args.keep.value {
         Keep::At(point) => {
-            let misplaced = |err: &crate::kernel::GeomError| {
-                use crate::kernel::{FaceError, GeomError};
-                matches!(err, GeomError::Face(FaceError::NoPartAt { .. } | FaceError::OnCut { .. }))
-            };
             let part = face.part_at(cutters, point, ctx.tolerance);
             let span = match &part {
-                Err(err) if misplaced(err) => args.keep.span,
-                _ => *by,
+                Err(err) if is_misplaced(err) => args.keep.span,
+                _ => by,
             };
             return part.at(span).map(|part| TrimmedParts(part.into_value()));
         }
-        Keep::Above => true,
-        Keep::Below => false,
+        Keep::Above | Keep::Below => {
+            let is_above = matches!(args.keep.value, Keep::Above);
+            let side = if is_above { "above" } else { "below" };
+            let [Cutter::Plane(plane)] = cutters[..] else {
+                let hint =
+                    "`keep` is a point of the part that stays, where there are other cutters";
+                return mistake(format!("only of one plane a side is \"{side}\""), hint);
+            };
+            (face.beside_plane(plane, is_above, ctx.tolerance).at(by)?, side)
+        }
+        Keep::Inside | Keep::Outside => {
+            let is_inside = matches!(args.keep.value, Keep::Inside);
+            let side = if is_inside { "inside" } else { "outside" };
+            let Some(solid) = solid else {
+                let hint = "`keep` is a point of the part that stays, where there are other cutters; `solid(...)` makes one of surfaces that close";
+                return mistake(format!("only of one solid a side is \"{side}\""), hint);
+            };
+            (solid.parts_of(&face, is_inside, ctx.tolerance).at(by)?, side)
+        }
     };
-    let side = if is_above { "above" } else { "below" };
-    let [Cutter::Plane(plane)] = cutters[..] else {
-        let message = format!("only of one plane a side is \"{side}\"");
-        return Diagnostic::error(Code::BadCall, args.keep.span, message)
-            .hint("`keep` is a point of the part that stays, where there are other cutters")
-            .fail();
+    side_of(parts, side, by)
+}
+
+/// Whether the point is the mistake, not the cutters.
+fn is_misplaced(err: &GeomError) -> bool {
+    matches!(err, GeomError::Face(FaceError::NoPartAt { .. } | FaceError::OnCut { .. }))
+}
+
+/// The parts on a side of a cutter, of which there must be one.
+fn side_of(mut parts: Vec<Face>, side: &str, by: Span) -> Result<TrimmedParts> {
+    let (of_what, hint) = match side {
+        "above" | "below" => ("the plane", "above is where the plane's normal points"),
+        _ => ("the solid", "what is in a void of it is outside"),
     };
-    let mut parts = face.beside_plane(plane, is_above, ctx.tolerance).at(*by)?;
     match parts.len() {
         0 => {
-            let message = format!("nothing of the face is {side} the plane");
-            Diagnostic::error(Code::Degenerate, *by, message)
-                .hint("above is where the plane's normal points")
-                .fail()
+            let message = format!("nothing of the face is {side} {of_what}");
+            Diagnostic::error(Code::Degenerate, by, message).hint(hint).fail()
         }
         1 => Ok(TrimmedParts(parts.remove(0).into_value())),
         _ => Ok(TrimmedParts(parts.into_value())),

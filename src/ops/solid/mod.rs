@@ -13,6 +13,8 @@ mod intersect;
 mod of_faces;
 mod revolve;
 mod section;
+mod skin;
+mod sweep;
 mod volume;
 
 use std::sync::Arc;
@@ -30,6 +32,8 @@ pub(super) static OPS: &[&Op] = &[
     &of_faces::OP,
     &extrude::OP,
     &revolve::OP,
+    &sweep::OP,
+    &skin::OP,
     &cut::OP,
     &section::OP,
     &volume::OP,

@@ -10,7 +10,7 @@ use crate::{
 
 /// The size along the way.
 #[derive(Clone, Debug)]
-pub(super) enum Scale {
+pub(in crate::ops) enum Scale {
     Same(DVec3),
     /// At even parameters, with straight lines between.
     Listed(Vec<DVec3>),
@@ -29,7 +29,7 @@ impl Scale {
     }
 
     /// Parameters where the list bends.
-    pub(super) fn breaks(&self, domain: Interval) -> Vec<f64> {
+    pub(in crate::ops) fn breaks(&self, domain: Interval) -> Vec<f64> {
         let Self::Listed(list) = self else { return Vec::new() };
         let steps = domain.steps(list.len() - 1);
         steps[1..steps.len() - 1].to_vec()
@@ -63,7 +63,7 @@ impl FromValue for Scale {
 
 /// The turn along the way.
 #[derive(Clone, Debug)]
-pub(super) enum Twist {
+pub(in crate::ops) enum Twist {
     /// Reached at the end.
     Whole(f64),
     Function(Callback),
@@ -84,12 +84,12 @@ impl FromValue for Twist {
 }
 
 /// What a script says of a section on its way.
-pub(super) struct MotionArgs<'c, 'a> {
-    pub(super) ctx: &'c mut Ctx<'a>,
-    pub(super) scale: Option<Scale>,
-    pub(super) twist: Option<Twist>,
+pub(in crate::ops) struct MotionArgs<'c, 'a> {
+    pub(in crate::ops) ctx: &'c mut Ctx<'a>,
+    pub(in crate::ops) scale: Option<Scale>,
+    pub(in crate::ops) twist: Option<Twist>,
     /// The path's.
-    pub(super) domain: Interval,
+    pub(in crate::ops) domain: Interval,
 }
 
 impl MotionArgs<'_, '_> {

@@ -40,7 +40,7 @@ impl SkinSection {
 }
 
 /// Warns of neighbours with different numbers of corners: an edge of the surface ends between them.
-pub(super) fn warn_of_lost_corners(
+pub(in crate::ops) fn warn_of_lost_corners(
     ctx: &mut Ctx<'_>,
     unpaired: &[[(usize, usize); 2]],
     span: Span,
@@ -61,7 +61,7 @@ pub(super) fn warn_of_lost_corners(
 
 /// Where sections stand along v.
 #[derive(Clone, Debug)]
-pub(super) enum SectionPlaces {
+pub(in crate::ops) enum SectionPlaces {
     By(SectionParameters),
     Listed(Vec<f64>),
 }
@@ -125,7 +125,7 @@ impl FromValue for SectionTangent {
 
 /// What the surface may do between sections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum SectionShape {
+pub(in crate::ops) enum SectionShape {
     Free,
     Monotone,
 }
@@ -148,7 +148,7 @@ impl Choice for SectionPairing {
 }
 
 /// Warns of neighbouring sections that cross.
-pub(super) fn warn_of_crossings(
+pub(in crate::ops) fn warn_of_crossings(
     ctx: &mut Ctx<'_>,
     sections: &[NurbsCurve],
     span: Span,

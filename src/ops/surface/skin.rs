@@ -128,7 +128,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
 }
 
 /// Warns of weights that did not stay positive, and of what became of them.
-fn warn_of_weights(ctx: &mut Ctx<'_>, made: &SkinnedSurface, tolerance: f64) {
+pub(in crate::ops) fn warn_of_weights(ctx: &mut Ctx<'_>, made: &SkinnedSurface, tolerance: f64) {
     let (message, hint) = match (made.is_refitted, made.bad_weight) {
         (false, None) => return,
         (false, Some((row, column, weight))) => (
@@ -159,18 +159,18 @@ fn warn_of_weights(ctx: &mut Ctx<'_>, made: &SkinnedSurface, tolerance: f64) {
 }
 
 /// Where the arguments stand that a skin is made of.
-struct SkinSpans {
-    sections: Span,
-    parameters: Span,
-    spine: Span,
-    at: Span,
-    slopes: [Span; 2],
-    has_slopes: bool,
-    is_closed: bool,
+pub(in crate::ops) struct SkinSpans {
+    pub(in crate::ops) sections: Span,
+    pub(in crate::ops) parameters: Span,
+    pub(in crate::ops) spine: Span,
+    pub(in crate::ops) at: Span,
+    pub(in crate::ops) slopes: [Span; 2],
+    pub(in crate::ops) has_slopes: bool,
+    pub(in crate::ops) is_closed: bool,
 }
 
 /// The error at the argument that is to blame, in the words of the script.
-fn refused(
+pub(in crate::ops) fn refused(
     ctx: &Ctx<'_>,
     SkinError { blamed, error }: SkinError,
     spans: &SkinSpans,

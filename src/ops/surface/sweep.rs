@@ -104,7 +104,7 @@ impl Choice for SweepMethod {
 
 /// How a section turns with its path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum FrameOption {
+pub(in crate::ops) enum FrameOption {
     Translate,
     Fixed,
     Frenet,
@@ -121,7 +121,7 @@ impl Choice for FrameOption {
 
 /// What happens at corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum CornerOption {
+pub(in crate::ops) enum CornerOption {
     Error,
     Miter,
 }
@@ -194,17 +194,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
 }
 
 /// What errors of a sweep are told of: arguments, and where they stand.
-struct SweepGiven {
-    section: Spanned<Curve>,
-    path: Span,
-    up: Span,
-    rails: Span,
-    rule: Option<FrameRule>,
-    tolerance: f64,
+pub(in crate::ops) struct SweepGiven {
+    pub(in crate::ops) section: Spanned<Curve>,
+    pub(in crate::ops) path: Span,
+    pub(in crate::ops) up: Span,
+    pub(in crate::ops) rails: Span,
+    pub(in crate::ops) rule: Option<FrameRule>,
+    pub(in crate::ops) tolerance: f64,
 }
 
 /// The error at the argument that is to blame.
-fn refused(
+pub(in crate::ops) fn refused(
     ctx: &mut Ctx<'_>,
     SweepError { blamed, error }: SweepError,
     given: &SweepGiven,
@@ -243,7 +243,7 @@ fn refused(
 }
 
 /// The tolerance that is given, or the document's.
-pub(super) fn tolerated(ctx: &Ctx<'_>, given: Option<&Spanned<Length>>) -> Result<f64> {
+pub(in crate::ops) fn tolerated(ctx: &Ctx<'_>, given: Option<&Spanned<Length>>) -> Result<f64> {
     match given {
         Some(given) if given.value.0 <= 0.0 => {
             let error = GeomError::Input(InputError::NotPositive {
@@ -273,7 +273,7 @@ fn unmoved(args: &Args, what: &str) -> Result<()> {
     }
 }
 
-const fn framing(frame: FrameOption) -> Option<FrameRule> {
+pub(in crate::ops) const fn framing(frame: FrameOption) -> Option<FrameRule> {
     match frame {
         FrameOption::Translate => None,
         FrameOption::Fixed => Some(FrameRule::Fixed),

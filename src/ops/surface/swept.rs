@@ -7,7 +7,7 @@ use crate::{
 };
 
 /// Warns of what a sweep cannot promise.
-pub(super) fn warn(ctx: &mut Ctx<'_>, made: &SweptSurface) {
+pub(in crate::ops) fn warn(ctx: &mut Ctx<'_>, made: &SweptSurface) {
     for leg in &made.legs {
         warn_of_leg(ctx, leg);
     }

@@ -1,0 +1,103 @@
+//! `skin`: the solid through regions.
+
+use std::sync::Arc;
+
+use crate::{
+    diag::{Code, Diagnostic, Result, Spanned},
+    kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, SkinBuilder, Solid},
+    ops::surface::{
+        section::{SectionPlaces, SectionShape, warn_of_crossings, warn_of_lost_corners},
+        skin::{SkinSpans, refused, warn_of_weights},
+        sweep::tolerated,
+    },
+    value::{At, Ctx, Length, op},
+};
+
+op! {
+    /// Solid through regions, whose ends are the first and the last of them.
+    ///
+    /// Their borders are skinned as curves are, the outer ones, and holes in their order: u along them, v from one region
+    /// to the next. All regions have as many holes. A closed skin goes on from the last region to the first, without
+    /// ends.
+    skin | loft in Solid -> Solid {
+        /// The regions in order, two or more.
+        sections: Spanned<Vec<Arc<Region>>>,
+        /// The degree along v, from 1; fewer regions than degree + 1 lower it.
+        degree: Spanned<usize> = Spanned::unplaced(3),
+        /// Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for
+        /// its return to the first region.
+        parameters: Spanned<SectionPlaces> = Spanned::unplaced(SectionPlaces::By(SectionParameters::Average)),
+        /// Whether the solid goes on from the last region to the first, as smooth there as anywhere.
+        closed: bool = false,
+        /// Whether borders are turned around, and seams moved, to run beside their neighbours.
+        align: bool = true,
+        /// Whether the sides may swing out between regions.
+        shape: Spanned<SectionShape> = Spanned::unplaced(SectionShape::Free),
+        /// How far borders may move so that the sides have fewer knots along them.
+        tolerance: Option<Spanned<Length>>,
+    }
+    example "volume(skin([region(circle((0, 0, 0), 2)), region(circle((0, 0, 3), 1))])) ~= 7*pi" => "true";
+    example "len(skin([for z in 0..2: region(circle((0, 0, z), 2), holes = [circle((0, 0, z), 1)])]).faces)" => "4";
+    refuses "skin([region(circle((0, 0), 2))])" => "E0401: a skin needs 2 sections or more, found 1";
+    refuses "skin([region(circle((0, 0), 2)), region(circle((0, 0, 1), 2), holes = [circle((0, 0, 1), 1)])])" => "E0607: `sections[1]` has 1 hole, and the first region has 0";
+    scene r#"
+        region base = region(polyline((-2, -2), (2, -2), (2, 2), (-2, 2), closed = true), holes = [circle((0, 0), 1)])
+        region neck = region(circle((0, 0, 5), 1), holes = [circle((0, 0, 5), 0.7)])
+        solid funnel = skin([base, neck])
+    "#;
+}
+
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
+    let span = args.sections.span;
+    let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
+    let spans = SkinSpans {
+        sections: span,
+        parameters: args.parameters.span,
+        spine: span,
+        at: span,
+        slopes: [span; 2],
+        has_slopes: false,
+        is_closed: args.closed,
+    };
+    let regions = &args.sections.value;
+    let borders = regions.iter().map(|region| region.borders());
+    let borders: Vec<Vec<NurbsCurve>> = borders.collect::<std::result::Result<_, _>>().at(span)?;
+    let n_loops = borders.first().map_or(1, Vec::len);
+    if let Some(odd) = borders.iter().position(|all| all.len() != n_loops) {
+        let (own, span) = ctx.element(span, odd, "sections");
+        let n_holes = borders[odd].len() - 1;
+        let holes = if n_holes == 1 { "hole" } else { "holes" };
+        let message =
+            format!("{own} has {n_holes} {holes}, and the first region has {}", n_loops - 1);
+        return Diagnostic::error(Code::Degenerate, span, message)
+            .hint("each hole goes through all regions")
+            .fail();
+    }
+    let mut sides = Vec::with_capacity(n_loops);
+    for i in 0..n_loops {
+        let sections: Vec<Curve> = borders.iter().map(|all| all[i].clone().into()).collect();
+        let mut builder = SkinBuilder::new(sections, ctx.tolerance).degree(args.degree.value);
+        if args.closed {
+            builder = builder.closed();
+        }
+        if !args.align {
+            builder = builder.unaligned();
+        }
+        builder = match &args.parameters.value {
+            SectionPlaces::By(rule) => builder.parameters(*rule),
+            SectionPlaces::Listed(parameters) => builder.parameters_at(parameters.clone()),
+        };
+        if args.shape.value == SectionShape::Monotone {
+            builder = builder.monotone();
+        }
+        if args.tolerance.is_some() {
+            builder = builder.within(tolerance);
+        }
+        let made = builder.skin().map_err(|found| refused(ctx, found, &spans))?;
+        warn_of_lost_corners(ctx, &made.unpaired, span);
+        warn_of_weights(ctx, &made, tolerance);
+        warn_of_crossings(ctx, &made.sections, span, tolerance);
+        sides.push(Face::whole(Arc::new(made.surface), ctx.tolerance).at(span)?);
+    }
+    Solid::capped(&sides, ctx.tolerance).at(ctx.span)
+}
