@@ -8,6 +8,10 @@ use super::{
     tolerance::{KNOT_RELATIVE, LAST_BIT},
 };
 
+/// Parameters that are larger than the interval is long by this factor are far from zero: their last bits are
+/// those of a thousandth of the length.
+const FAR_FACTOR: f64 = 1024.0;
+
 /// Last bits of its length by which a parameter of an interval misses zero.
 const MOST_DUST: f64 = 4.0;
 
@@ -96,6 +100,22 @@ impl Interval {
     pub(crate) fn without_dust(self, t: f64) -> f64 {
         let is_dust = t.abs() <= MOST_DUST * LAST_BIT * self.length();
         if is_dust && self.contains(0.0) { 0.0 } else { t }
+    }
+
+    /// 0 to the length, of an interval so far from zero that the last bit of a parameter counts. There
+    /// what is searched by parameters is searched, and [`Self::far_from_zero`] tells where it is.
+    pub(crate) fn near_zero(self) -> Option<Self> {
+        let (length, largest) = (self.length(), self.start.abs().max(self.end.abs()));
+        (FAR_FACTOR * length < largest).then_some(Self { start: 0.0, end: length })
+    }
+
+    /// The parameter here for one of [`Self::near_zero`]; where that is none, the same.
+    pub(crate) fn far_from_zero(self, t: f64) -> f64 {
+        match self.near_zero() {
+            None => t,
+            Some(near) if near.end <= t => self.end,
+            Some(_) => (self.start + t).clamp(self.start, self.end),
+        }
     }
 
     /// The sign of steps from `t` that stay inside; none where both do.

@@ -3,7 +3,10 @@
 use glam::DVec4;
 
 use super::{
-    GeomError, KnotVector, refine::ControlLines, removal::removal, tolerance::KNOT_RELATIVE,
+    GeomError, KnotVector,
+    refine::ControlLines,
+    removal::removal,
+    tolerance::{EXACT_RELATIVE, KNOT_RELATIVE, LAST_BIT},
 };
 
 /// Clamped splines of one degree that grow at their end; many lines share the knots.
@@ -61,6 +64,16 @@ impl Joined {
     pub(crate) fn finish(self) -> Result<ControlLines, GeomError> {
         Ok(ControlLines { knots: KnotVector::new(self.degree, self.knots)?, lines: self.lines })
     }
+}
+
+/// Last bits of a coordinate that pieces of one curve are apart when a knot between them is taken out.
+const REMOVAL_ROUNDINGS: f64 = 64.0;
+
+/// How far taking out a knot of a joint may move what has coordinates of that magnitude, and at most by `most`: what is
+/// exact near the origin is much beside a tolerance far from it.
+pub(crate) fn joint_accuracy(magnitude: f64, most: f64) -> f64 {
+    let exact = EXACT_RELATIVE * magnitude;
+    exact.min(most.max(REMOVAL_ROUNDINGS * LAST_BIT * magnitude))
 }
 
 /// The narrowest span of splines if it vanishes beside a domain of a length.

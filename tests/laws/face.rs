@@ -6,8 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide,
-    TessellationOptions, Tolerance, glam::DVec3,
+    CircleForm, Cutter, Face, FaceError, Frame, GeomError, Grid, KnotVector, NurbsCurve,
+    NurbsSurface, RegionSide, TessellationOptions, Tolerance, glam::DVec3,
 };
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
@@ -253,4 +253,31 @@ fn the_rim_of_a_sphere_cut_where_its_knots_are_hardly_apart_is_one_circle() {
             assert!((lengths.sum::<f64>() - expected).abs() < 1e-6);
         }
     }
+}
+
+/// The edges of what is cut from surfaces of degree 1 have corners, beside which their pieces are as narrow as parameters
+/// are rounded.
+#[test]
+fn faces_cut_from_surfaces_of_degree_one_have_bounds() {
+    let row = |x: f64, heights: [f64; 2]| {
+        [0.0, 1.0].map(|y| DVec3::new(x, y, heights[y as usize])).to_vec()
+    };
+    let rows = vec![row(0.0, [0.0, 0.5]), row(1.0, [0.0, 2.0]), row(2.0, [-1.0, 0.0])];
+    let knots = [3, 2].map(|n| KnotVector::uniform_clamped(1, n, 1.0).unwrap());
+    let [by_u, by_v] = knots;
+    let surface = NurbsSurface::polynomial(by_u, by_v, &Grid::from_rows(rows).unwrap()).unwrap();
+    let whole = surface.bounds();
+    let face = Face::whole(Arc::new(surface), TOLERANCE).unwrap();
+    let mut n_parts = 0;
+    for x in [1.5, 1.2, 0.7] {
+        let plane = Frame::from_normal(DVec3::new(x, 0.9, 0.0), DVec3::ONE, None).unwrap();
+        for keeps_above in [true, false] {
+            for part in face.beside_plane(plane, keeps_above, TOLERANCE).unwrap() {
+                let bounds = part.bounds(TOLERANCE).unwrap();
+                assert!(whole.min.distance(whole.max) >= bounds.min.distance(bounds.max));
+                n_parts += 1;
+            }
+        }
+    }
+    assert!(6 <= n_parts);
 }

@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use virote_kernel::{
-    CircleForm, CornerStyle, Frame, NurbsCurve, Region, RegionSide, Solid,
+    CircleForm, CornerStyle, Frame, NurbsCurve, Region, RegionSide, Solid, Tolerance,
     glam::{DAffine3, DVec3},
 };
 
@@ -97,5 +97,24 @@ fn planes_cut_solids_as_at_the_origin() {
         let ball = Solid::new(&[ball(place, 2.0)], TOLERANCE).expect("a ball");
         let half = ball.cut(Frame::XY.at(place), true, TOLERANCE).expect("a side").expect("a dome");
         check(half.volume_mass().expect("a volume").amount, 16.0 / 3.0 * PI, place);
+    }
+}
+
+#[test]
+fn offsets_keep_their_tolerance_in_the_coordinates_of_a_survey() {
+    let corners = [[0.0, 0.0], [100.0, 200.0], [300.0, 250.0], [600.0, 100.0]];
+    for place in [PLACES[0], PLACES[3], PLACES[4], DVec3::new(1e7, -1e7, 0.0)] {
+        let points: Vec<DVec3> =
+            corners.iter().map(|&[x, y]| place + DVec3::new(x, y, 0.0)).collect();
+        let curve = NurbsCurve::bezier(&points).expect("a curve");
+        let tolerance = Tolerance::DEFAULT.with_distance(1e-6);
+        let offset = curve.offset(20.0, DVec3::Z, tolerance).expect("an offset");
+        let rounding = 128.0 * f64::EPSILON * place.length();
+        for k in 0..=400 {
+            let t = f64::from(k) / 400.0;
+            let miss = (offset.curve.point_at(t).distance(curve.point_at(t)) - 20.0).abs();
+            assert!(miss <= offset.deviation + rounding, "{miss} at {t} from {place}");
+        }
+        assert!(offset.deviation <= 1e-6 + rounding);
     }
 }

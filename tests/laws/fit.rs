@@ -465,3 +465,30 @@ fn noise_within_the_tolerance_is_neither_followed_nor_taken_for_corners() {
         );
     }
 }
+
+#[test]
+fn as_many_control_points_as_points_stay_among_them() {
+    for (n, degree) in [(30, 1), (50, 2), (100, 3), (100, 5), (400, 3)] {
+        let points: Vec<DVec3> =
+            (0..n).map(|i| DVec3::new(f64::from(i), (f64::from(i) / 5.0).sin(), 0.0)).collect();
+        let uneven: Vec<DVec3> = (0..n)
+            .map(|i| DVec3::new(f64::from(i) + 0.4 * (f64::from(i) * 1.7).sin(), 0.0, 0.0))
+            .collect();
+        let even: Vec<f64> = (0..n).map(|i| f64::from(i) / f64::from(n - 1)).collect();
+        let chords = Parametrization::Chord.parameters(&uneven).unwrap();
+        for parameters in [&even, &chords] {
+            for fewer in [0, 1, 2, 4, 6, 10, n as usize / 4] {
+                let n_control = n as usize - fewer;
+                let curve = approximate(&points, parameters, degree, n_control).unwrap();
+                let what = format!("{n_control} control points for {n} points, degree {degree}");
+                for (&p, &t) in points.iter().zip(parameters) {
+                    // What a sine of 31 points a wave leaves.
+                    let allowed = if fewer == 0 { 1e-9 } else { 0.5 };
+                    assert!(curve.point_at(t).distance(p) <= allowed, "{what}, at {t}");
+                }
+                let furthest = curve.points().iter().map(|p| p.y.abs()).fold(0.0, f64::max);
+                assert!(furthest < 3.0, "{what}: {furthest}");
+            }
+        }
+    }
+}

@@ -23,6 +23,7 @@ mod face;
 mod face_touching;
 mod face_turned;
 mod far;
+mod far_parameters;
 mod fit;
 mod gordon;
 mod hostile;

@@ -3,8 +3,8 @@
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::{collection::vec, prelude::Strategy, prop_assert, proptest};
 use virote_kernel::{
-    CircleForm, Columns, Ends, FrameRule, Frames, GeomError, Interpolator, Motion, NurbsCurve,
-    Parametrization, PlacedAxes, Sweep, SweepResolution, swept, translated,
+    CircleForm, Columns, Ends, FrameRule, Frames, GeomError, Interpolator, KnotVector, Motion,
+    NurbsCurve, Parametrization, PlacedAxes, Sweep, SweepResolution, swept, translated,
 };
 
 use crate::some::{are_near, curve, fraction, point};
@@ -117,4 +117,52 @@ fn a_frame_that_turns_fast_is_no_flip() -> Result<(), GeomError> {
     let found = flips(&plane)?;
     assert!(found.len() == 1 && found[0][0] <= 0.5 && 0.5 <= found[0][1], "{found:?}");
     Ok(())
+}
+
+/// A frame that jumps, at a knot of a path of degree 2 by any angle, jumps at one place: beside it the surface is
+/// where its report says, and nowhere does it leave the reach of its section.
+#[test]
+fn a_frenet_frame_that_jumps_leaves_the_surface_within_reach() {
+    let paths: [&[[f64; 3]]; 3] = [
+        &[[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, -2.0, 0.0], [4.0, 0.0, 0.0]],
+        &[
+            [0.0, 0.0, 0.0],
+            [1.0, 2.0, 0.0],
+            [3.0, -2.0, 1.0],
+            [4.0, 0.0, 0.0],
+            [5.0, 1.0, 1.0],
+            [3.0, 3.0, 3.0],
+        ],
+        &[[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [2.0, 2.0, 0.0], [3.0, 0.0, 0.5], [5.0, 1.0, 3.0]],
+    ];
+    let section = NurbsCurve::line(DVec3::Z * 0.1, DVec3::new(0.0, 0.1, 0.1)).unwrap();
+    for (points, degree) in paths.into_iter().flat_map(|points| [(points, 2), (points, 3)]) {
+        let points: Vec<DVec3> = points.iter().map(|&p| DVec3::from(p)).collect();
+        let knots = KnotVector::uniform_clamped(degree, points.len(), 1.0).unwrap();
+        let path = NurbsCurve::polynomial(knots, &points).unwrap();
+        let frames = Frames::new(&path, FrameRule::Frenet, DVec3::Z, false).unwrap();
+        for (columns, keeps_path) in
+            [(Columns::Through, true), (Columns::Through, false), (Columns::Offset, true)]
+        {
+            let resolution =
+                SweepResolution { columns, keeps_path, ..SweepResolution::within(1e-4) };
+            let made = swept(&section, &path, &frames, &mut Still, &[], resolution).unwrap();
+            assert!(made.deviation.0 <= 1e-4, "{:?}", made.deviation);
+            for k in 0..=500 {
+                let t = f64::from(k) / 500.0;
+                let found = made.surface.point_at(0.0, t);
+                let axes = frames.at(t).unwrap();
+                let wanted = path.point_at(t) + axes.z * 0.1;
+                let is_turning = frames.flips().iter().any(|flip| flip[0] <= t && t <= flip[1]);
+                let allowed = if is_turning { 0.25 } else { 1e-4 };
+                assert!(found.distance(wanted) <= allowed, "{columns:?} {degree} at {t}: {found}");
+            }
+            for &[before, behind] in frames.flips() {
+                for t in (0..=50).map(|k| before + (behind - before) * f64::from(k) / 50.0) {
+                    let away = made.surface.point_at(0.0, t).distance(path.point_at(t));
+                    assert!(away < 0.2, "{columns:?} {degree} at {t}: {away}");
+                }
+            }
+        }
+    }
 }

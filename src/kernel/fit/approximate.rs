@@ -14,7 +14,7 @@ use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve, 
 /// through the first and the last. Its report tells the deviation.
 ///
 /// Least squares over knots that spread the parameters evenly: Piegl & Tiller, *The NURBS Book*,
-/// §9.4.1, (9.68) and (9.69).
+/// §9.4.1, (9.68) and (9.69); [`KnotVector::spreading`].
 ///
 /// # Errors
 /// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
@@ -26,7 +26,7 @@ pub fn approximate(
     n_control: usize,
 ) -> Result<NurbsCurve, GeomError> {
     let knots = KnotVector::spreading(degree, n_control, parameters)?;
-    let curve = Approximator::new(parameters, knots)?.curve(points)?;
+    let curve = Approximator::new(parameters, knots)?.determined()?.curve(points)?;
     Ok(reporting(curve, points, parameters, &[]))
 }
 

@@ -5,6 +5,7 @@ use glam::{DVec3, DVec4};
 use crate::{
     CountError, FitError, GeomError, KnotVector, NurbsCurve,
     numeric::triangular_factor::{TriangularFactor, without_ends},
+    tolerance::RANK_RELATIVE,
 };
 
 /// Control points that act on a span of a cubic: a number that the compiler knows makes loops faster.
@@ -62,6 +63,18 @@ impl Approximator {
             knots.with_basis_on(span, t, |basis| shares.extend_from_slice(basis));
         }
         Self::of_rows(knots, firsts, shares)
+    }
+
+    /// The same, if its parameters hold every control point by more than rounding.
+    ///
+    /// # Errors
+    /// [`FitError::Undetermined`].
+    pub fn determined(self) -> Result<Self, GeomError> {
+        if RANK_RELATIVE < self.factor.least_hold() {
+            return Ok(self);
+        }
+        let control_points = self.knots.n_points();
+        Err(GeomError::Fit(FitError::Undetermined { control_points }))
     }
 
     /// For conditions in the order of their parameters between both ends, over the given knots.

@@ -4,14 +4,16 @@ use glam::DVec3;
 
 use crate::{
     DegreeError, GeomError, KnotVector, NurbsCurve,
-    tolerance::{LEAST_KNOT_DENSITY, PARAMETER_RELATIVE},
+    tolerance::{LEAST_KNOT_DENSITY, PARAMETER_RELATIVE, SPREADING_SPARE},
 };
 
 impl KnotVector {
     /// Knots for `n_points` control points that leave about as many of the parameters in each
     /// span.
     ///
-    /// Piegl & Tiller, *The NURBS Book*, (9.68) and (9.69).
+    /// Piegl & Tiller, *The NURBS Book*, (9.68) and (9.69); where that leaves hardly more parameters than control
+    /// points, means of `degree` of as many places among the parameters as there are control points, which with
+    /// as many control points as parameters are the knots of interpolation, (9.8).
     ///
     /// # Errors
     /// [`DegreeError::BadDegree`] with no more points than the degree, [`DegreeError::DegreeTooHigh`].
@@ -25,6 +27,9 @@ impl KnotVector {
             return Err(DegreeError::BadDegree { degree, points: n_points, needed }.into());
         }
         let share = parameters.len() as f64 / (n_points - degree) as f64;
+        if share < 1.0 + SPREADING_SPARE * (degree * degree).max(2) as f64 {
+            return Self::averaging(degree, n_points, parameters);
+        }
         let knot = |j: usize| {
             let place = j as f64 * share;
             let i = (place as usize).clamp(1, parameters.len() - 1);
@@ -34,6 +39,25 @@ impl KnotVector {
         let inner: Vec<f64> = (1..n_points - degree).map(knot).collect();
         let [start, end] =
             [parameters[0], parameters[parameters.len() - 1]].map(|t| vec![t; needed]);
+        Self::new(degree, [&start[..], &inner, &end].concat())
+    }
+}
+
+impl KnotVector {
+    /// Knots that are means of `degree` of `n_points` places spread over the parameters by their number.
+    fn averaging(degree: usize, n_points: usize, parameters: &[f64]) -> Result<Self, GeomError> {
+        let last = parameters.len() - 1;
+        let step = last as f64 / (n_points - 1) as f64;
+        let site = |j: usize| {
+            let place = j as f64 * step;
+            let i = (place as usize).min(last.saturating_sub(1));
+            let alpha = place - i as f64;
+            (1.0 - alpha) * parameters[i] + alpha * parameters[(i + 1).min(last)]
+        };
+        let sites: Vec<f64> = (0..n_points).map(site).collect();
+        let mean = |sites: &[f64]| sites.iter().sum::<f64>() / degree as f64;
+        let inner: Vec<f64> = (1..n_points - degree).map(|j| mean(&sites[j..j + degree])).collect();
+        let [start, end] = [parameters[0], parameters[last]].map(|t| vec![t; degree + 1]);
         Self::new(degree, [&start[..], &inner, &end].concat())
     }
 }

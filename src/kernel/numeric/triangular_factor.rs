@@ -1,5 +1,7 @@
 //! Least squares: more equations than unknowns, whose coefficients stand near one another.
 
+use std::f64::consts::GOLDEN_RATIO;
+
 use glam::DVec4;
 
 use crate::{sorting::sort_by_key, tolerance::RANK_RELATIVE};
@@ -73,6 +75,34 @@ impl TriangularFactor {
                 known.fold(values[i], |sum, (&coefficient, &value)| sum - coefficient * value);
             values[i] = sum / row[0];
         }
+    }
+}
+
+/// Steps of the power method, which finds the order of what is hardly held in two or three.
+const POWER_STEPS: usize = 4;
+
+impl TriangularFactor {
+    /// How little the equations hold what they hold least, as a fraction of what they hold an unknown by at most:
+    /// an estimate, by the power method on the inverse of RᵀR.
+    pub(crate) fn least_hold(&self) -> f64 {
+        let n = self.rows.len() / self.width;
+        let largest =
+            self.rows.iter().step_by(self.width).fold(0.0_f64, |most, x| most.max(x.abs()));
+        // Neither even nor smooth, so that it has a part in every direction.
+        let mut values: Vec<DVec4> =
+            (0..n).map(|i| DVec4::splat((i as f64 * GOLDEN_RATIO).fract() - 0.5)).collect();
+        let mut growth = 0.0_f64;
+        for _ in 0..POWER_STEPS {
+            let length = values.iter().map(|value| value.x * value.x).sum::<f64>().sqrt();
+            let is_number = length.is_finite() && 0.0 < length;
+            if !is_number {
+                return if n == 0 { 1.0 } else { 0.0 };
+            }
+            values.iter_mut().for_each(|value| *value /= length);
+            self.solve_normal(&mut values);
+            growth = values.iter().map(|value| value.x * value.x).sum::<f64>().sqrt();
+        }
+        (growth.sqrt() * largest).recip()
     }
 }
 

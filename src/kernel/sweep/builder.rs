@@ -148,7 +148,7 @@ pub struct SweptSurface {
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SweptLeg {
-    /// Between which parameters the frame turns around.
+    /// Between which parameters the frame turns at once.
     pub flips: Vec<[f64; 2]>,
     /// Between which parameters the section reaches beyond the path's centre of curvature.
     pub folds: Vec<[f64; 2]>,

@@ -1,14 +1,19 @@
 //! Columns of control points of a swept surface: through placements of the section, or about the
 //! control points of the path.
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 use super::{MovingSection, PlacementFit, SKIN_DEGREE};
-use crate::{Ends, GeomError, Grid, Interpolator, KnotVector, NurbsSurface, homogeneous};
+use crate::{
+    Ends, GeomError, Grid, Interpolator, Interval, KnotVector, NurbsSurface, Side, homogeneous,
+};
 
 /// Steps of a span in which the derivatives at its ends are taken: differences of the fourth order
 /// are then right to rounding.
 const STENCIL: f64 = 256.0;
+
+/// Spans are within the cell of a turn that are no longer than it, but for rounding.
+const CELL_SLACK: f64 = 1.01;
 
 impl MovingSection<'_> {
     /// The surface through placements at the nodes of these knots.
@@ -92,6 +97,9 @@ impl MovingSection<'_> {
         let mut rows: Vec<Vec<DVec4>> = (0..net.n_rows()).map(|i| net.row(i).to_vec()).collect();
         for span in knots.spans() {
             let interval = knots.span_interval(span);
+            if self.turning_about(interval).is_some() {
+                continue;
+            }
             let is_joint = |t: f64| p <= knots.exact_multiplicity(t);
             // The control points of the span are those from span - p to span.
             let sides = [
@@ -111,16 +119,44 @@ impl MovingSection<'_> {
         Ok(())
     }
 
-    /// The derivatives by t of what [`Self::placed`] tells, from one side: of the quartic through
-    /// five places a step apart.
+    /// The derivatives by t of what [`Self::placed`] tells, from one side: those of the path, and what is beside it
+    /// as the quartic through five places a step apart. Differences of places on the path would lose
+    /// the digits that its coordinates have far from the origin.
     fn derivatives(&mut self, t: f64, step: f64) -> Result<Vec<DVec4>, GeomError> {
         const WEIGHTS: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
-        let mut sums = vec![DVec4::ZERO; self.section.control_points().len()];
+        let mut sums = vec![DVec3::ZERO; self.section.control_points().len()];
         for (k, weight) in WEIGHTS.into_iter().enumerate() {
-            for (sum, point) in sums.iter_mut().zip(self.placed(t + k as f64 * step)?) {
-                *sum += point * (weight / step);
+            let at = t + k as f64 * step;
+            let share = if self.keeps_weights { self.path.homogeneous_at(at).w } else { 1.0 };
+            for (sum, beside) in sums.iter_mut().zip(self.beside(at)?) {
+                *sum += beside * (share * weight / step);
             }
         }
-        Ok(sums)
+        let side = if 0.0 < step { Side::Right } else { Side::Left };
+        let along = if self.keeps_weights {
+            let span = self.path.knots().span_beside(t, side);
+            self.path.homogeneous_derivatives(span, t, 1)[1]
+        } else {
+            self.path.derivatives_beside(t, side, 1)[1].extend(0.0)
+        };
+        let own = self.section.control_points().iter();
+        Ok(own.zip(sums).map(|(p, sum)| along * p.w + sum.extend(0.0)).collect())
+    }
+
+    /// The cell of a turn that a span is within.
+    pub(super) fn turning_about(&self, span: Interval) -> Option<[f64; 2]> {
+        let turns = |&[before, behind]: &[f64; 2]| {
+            let is_inside = before <= span.at(0.5) && span.at(0.5) <= behind;
+            is_inside && span.length() <= CELL_SLACK * (behind - before)
+        };
+        self.frames.flips().iter().copied().find(turns)
+    }
+
+    /// How far control points of the section are apart at most between two parameters.
+    pub(super) fn gap(&mut self, before: f64, behind: f64) -> Result<f64, GeomError> {
+        let ends = [self.placed(before)?, self.placed(behind)?]
+            .map(|points| points.into_iter().map(homogeneous::place).collect::<Vec<_>>());
+        let apart = ends[0].iter().zip(&ends[1]).map(|(a, b)| a.distance(*b));
+        Ok(apart.fold(0.0, f64::max))
     }
 }

@@ -6,7 +6,7 @@ use crate::{
     GeomError, InputError, LocalError, NurbsCurve, Side,
     ceiling::FRAME_DOUBLINGS,
     frame::{across, norm, unit},
-    tolerance::{TURN_ACCURACY, VANISHING_RELATIVE},
+    tolerance::{FRAME_JUMP, PLACE_RELATIVE, TURN_ACCURACY, VANISHING_RELATIVE},
 };
 
 /// A rule for the directions across a path.
@@ -97,7 +97,7 @@ pub struct Frames {
     places: Vec<FramePlace>,
     /// The angle that closes the frames of a closed path, spread over its length.
     closing: f64,
-    /// Between which parameters the frame turns around.
+    /// Between which parameters the frame turns at once.
     flips: Vec<[f64; 2]>,
     /// How the section is slid along the path towards a corner at the start and at the end.
     mitres: [Option<PathCorner>; 2],
@@ -185,7 +185,8 @@ impl Frames {
         self.is_closed
     }
 
-    /// Parameters between which the frame turns around at once.
+    /// Parameters between which the frame turns at once: around, where the path goes over from one way of bending to the
+    /// other, or by less, at a knot.
     #[must_use]
     pub fn flips(&self) -> &[[f64; 2]] {
         &self.flips
@@ -232,7 +233,8 @@ impl Frames {
         self.mitres.iter().flatten().map(slide).sum()
     }
 
-    /// Parameters where a bent path's section stands upright again, roughly.
+    /// Parameters where a bent path's section stands upright again, roughly, and on both sides of what
+    /// the frame does at once.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let bent = self.mitres.iter().flatten().filter(|mitre| !mitre.is_straight);
         let crossing = |mitre: &PathCorner| {
@@ -240,7 +242,12 @@ impl Frames {
             let change = |pair: &&[FramePlace]| is_near(&pair[0]) != is_near(&pair[1]);
             self.places.windows(2).find(change).map(|pair| pair[1].t)
         };
-        bent.filter_map(crossing).collect()
+        let flips = self.flips.iter().flatten().copied();
+        let inner = flips.filter(|&t| {
+            let domain = self.path.domain();
+            domain.start() < t && t < domain.end()
+        });
+        bent.filter_map(crossing).chain(inner).collect()
     }
 
     /// The axes at the end of the path.
@@ -274,9 +281,12 @@ impl Frames {
                     let length = before.length + point.distance(before.point);
                     let axes = self.next(before, t, point, x)?;
                     let place = FramePlace { t, point, axes, length };
-                    if self.is_flip(before, place)? {
-                        self.flips.push([before.t, t]);
-                    }
+                    // At a knot of low continuity the frame may come in otherwise than it goes on.
+                    let arriving = FramePlace { axes: self.arriving(before, place)?, ..place };
+                    let jumps = FRAME_JUMP < norm(arriving.axes.z - axes.z);
+                    let flip = self.flip(before, arriving)?;
+                    self.flips.extend(flip.map(|flip| self.cell(flip)));
+                    self.flips.extend(jumps.then(|| self.cell([t, t])));
                     place
                 }
             };
@@ -287,16 +297,37 @@ impl Frames {
         Ok(())
     }
 
-    /// Whether the frame turns around at once between two places, rather than fast: halves are asked as long
-    /// as it turns by more than a right angle over one of them.
-    fn is_flip(&self, mut before: FramePlace, mut after: FramePlace) -> Result<bool, GeomError> {
+    /// The axes with which the path comes to a place.
+    fn arriving(&self, before: FramePlace, place: FramePlace) -> Result<Axes, GeomError> {
+        if self.rule != FrameRule::Frenet {
+            return Ok(place.axes);
+        }
+        let x = self.path.tangent_at(place.t, Side::Left)?;
+        let z = self.binormal(place.t, Side::Left).or_else(|| across(before.axes.z, x));
+        Ok(z.and_then(|z| across(z, x)).map_or(place.axes, |z| Axes::new(x, z)))
+    }
+
+    /// A short interval about what the frame does at once, wide enough for knots.
+    fn cell(&self, [start, end]: [f64; 2]) -> [f64; 2] {
+        let domain = self.path.domain();
+        let margin = (end - start).max(PLACE_RELATIVE * domain.length());
+        [(start - margin).max(domain.start()), (end + margin).min(domain.end())]
+    }
+
+    /// Between which parameters the frame turns around at once between two places, rather than fast: halves are
+    /// asked as long as it turns by more than a right angle over one of them.
+    fn flip(
+        &self,
+        mut before: FramePlace,
+        mut after: FramePlace,
+    ) -> Result<Option<[f64; 2]>, GeomError> {
         if self.rule == FrameRule::RotationMinimizing {
-            return Ok(false);
+            return Ok(None);
         }
         let is_turned = |a: FramePlace, b: FramePlace| a.axes.z.dot(b.axes.z) < 0.0;
         for _ in 0..FLIP_HALVINGS {
             if !is_turned(before, after) {
-                return Ok(false);
+                return Ok(None);
             }
             let t = f64::midpoint(before.t, after.t);
             let point = self.path.point_at(t);
@@ -304,7 +335,7 @@ impl Frames {
             let middle = FramePlace { t, point, axes, length: before.length };
             *(if is_turned(before, middle) { &mut after } else { &mut before }) = middle;
         }
-        Ok(true)
+        Ok(Some([before.t, after.t]))
     }
 
     fn first(&self, t: f64, x: DVec3) -> Result<Axes, GeomError> {
@@ -313,8 +344,8 @@ impl Frames {
                 // At a straight start, the first binormal that there is.
                 let domain = self.path.domain();
                 let steps = domain.steps(256);
-                let found = steps.into_iter().find_map(|t| self.binormal(t));
-                let z = self.binormal(t).or(found);
+                let found = steps.into_iter().find_map(|t| self.binormal(t, Side::Right));
+                let z = self.binormal(t, Side::Right).or(found);
                 let z = z.ok_or(GeomError::Local(LocalError::Straight {
                     what: "frenet frame",
                     parameter: t,
@@ -337,8 +368,8 @@ impl Frames {
         Ok(Axes::new(x, z))
     }
 
-    fn binormal(&self, t: f64) -> Option<DVec3> {
-        let derivatives = self.path.derivatives_at(t, 2);
+    fn binormal(&self, t: f64, side: Side) -> Option<DVec3> {
+        let derivatives = self.path.derivatives_beside(t, side, 2);
         let cross = derivatives[1].cross(derivatives[2]);
         let size = derivatives[1].length() * derivatives[2].length();
         if norm(cross) <= VANISHING_RELATIVE.sqrt() * size { None } else { unit(cross) }
@@ -347,7 +378,7 @@ impl Frames {
     fn next(&self, before: FramePlace, t: f64, point: DVec3, x: DVec3) -> Result<Axes, GeomError> {
         let z = match self.rule {
             FrameRule::Fixed => return self.upright(x),
-            FrameRule::Frenet => self.binormal(t).or_else(|| across(before.axes.z, x)),
+            FrameRule::Frenet => self.binormal(t, Side::Right).or_else(|| across(before.axes.z, x)),
             FrameRule::RotationMinimizing => reflected_twice(before, point, x),
         };
         let z = z.and_then(|z| across(z, x));

@@ -334,12 +334,18 @@ impl MovingSection<'_> {
     /// Where each control point of the section is about a homogeneous point, with the axes of a
     /// parameter.
     fn placed_about(&mut self, origin: DVec4, t: f64) -> Result<Vec<DVec4>, GeomError> {
-        let ([x, y, z], shift) = self.axes(t)?;
-        let place = |p: &DVec4| {
-            let moved = x * p.x + y * p.y + z * p.z + shift * p.w;
+        let beside = self.beside(t)?;
+        let place = |(p, moved): (&DVec4, DVec3)| {
             (origin.truncate() * p.w + moved * origin.w).extend(p.w * origin.w)
         };
-        Ok(self.section.control_points().iter().map(place).collect())
+        Ok(self.section.control_points().iter().zip(beside).map(place).collect())
+    }
+
+    /// Where each control point of the section is from the path, times its weight.
+    fn beside(&mut self, t: f64) -> Result<Vec<DVec3>, GeomError> {
+        let ([x, y, z], shift) = self.axes(t)?;
+        let moved = |p: &DVec4| x * p.x + y * p.y + z * p.z + shift * p.w;
+        Ok(self.section.control_points().iter().map(moved).collect())
     }
 
     /// The knots to begin with.
@@ -391,7 +397,8 @@ impl MovingSection<'_> {
 
     /// How far the lines of control points are from where they should run: the worst with its
     /// parameter, and the middles of the spans where it is more than allowed. The surface, a mean
-    /// of the lines, is no further. Where the frame turns around there is nothing to be near to.
+    /// of the lines, is no further. Where the frame turns at once, in a cell of rounding width, there is nothing to
+    /// be near to: there counts what is further than both sides of the cell are apart.
     fn deviations(
         &mut self,
         fit: &PlacementFit,
@@ -403,14 +410,10 @@ impl MovingSection<'_> {
         let mut missed = Vec::new();
         for span in knots.spans() {
             let interval = knots.span_interval(span);
-            let turns = |flip: &[f64; 2]| {
-                flip[0] <= interval.end()
-                    && interval.start() <= flip[1]
-                    && interval.length() <= 4.0 * (flip[1] - flip[0])
+            let jump = match self.turning_about(interval) {
+                Some([before, behind]) => Some(self.gap(before, behind)?),
+                None => None,
             };
-            if self.frames.flips().iter().any(turns) {
-                continue;
-            }
             let mut most = 0.0_f64;
             for k in 0..n_places {
                 let t = interval.at((k as f64 + 0.5) / n_places as f64);
@@ -418,13 +421,14 @@ impl MovingSection<'_> {
                 let curve = fit.surface.isocurve_v(t);
                 for (a, b) in now.iter().zip(curve.control_points()) {
                     let apart = homogeneous::place(*a).distance(homogeneous::place(*b));
+                    let apart = (apart - jump.unwrap_or_default()).max(0.0);
                     most = most.max(apart);
                     if worst.0 < apart {
                         worst = (apart, t);
                     }
                 }
             }
-            if allowed < most {
+            if allowed < most && jump.is_none() {
                 missed.push(interval.at(0.5));
             }
         }

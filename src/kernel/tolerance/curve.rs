@@ -44,6 +44,23 @@ pub const TURN_RELATIVE: f64 = 1e-6;
 /// than a right angle for a section that runs backwards; smaller hears a way that lies in the planes.
 pub const CLEAR_WAY: f64 = 0.2;
 
+/// Taking out a knot of a joint moves nothing by more than this part of the tolerance, however large the coordinates are.
+///
+/// Larger moves pieces in map coordinates visibly beside the tolerance; smaller leaves knots there that rounding alone
+/// holds.
+pub(crate) const JOINT_REMOVAL_SHARE: f64 = 1.0 / 16.0;
+
+/// The same part of the accuracy of an offset, at whose joints up to five knots go.
+///
+/// Larger leaves less of the accuracy to the pieces; smaller leaves knots at smooth joints.
+pub(crate) const OFFSET_JOINT_SHARE: f64 = 1.0 / 64.0;
+
+/// A frame that turns by more than this at one place of its path jumps there, radians.
+///
+/// Larger leaves jumps to knots that no number of them comes near to; smaller takes the rounding of second
+/// derivatives at the knots of a path for jumps.
+pub(crate) const FRAME_JUMP: f64 = 1e-6;
+
 /// Steps along a path are halved until the frame at its end turns by less than this, radians.
 ///
 /// Larger leaves a twist that a long section shows; smaller asks for more steps than rounding

@@ -34,3 +34,10 @@ pub(crate) const UNCHANGED_SHARE: f64 = 1.0 / 16.0;
 /// Larger removes a knot that costs much before one that costs nothing; smaller makes passes that
 /// remove nothing.
 pub(crate) const FIRST_REMOVAL_SHARE: f64 = 1.0 / 256.0;
+
+/// With fewer parameters a span than one and this share of the degree's square more, knots that are spread by
+/// counting drift against the parameters.
+///
+/// Larger takes means of parameters for knots where counted ones leave as many in each span; smaller leaves control
+/// points to next to nothing.
+pub(crate) const SPREADING_SPARE: f64 = 1.0 / 16.0;

@@ -15,8 +15,8 @@ op! {
     /// Exact arc of a circle as a rational curve on 0..1, in equal pieces of at most a quarter
     /// turn.
     ///
-    /// It runs counter-clockwise about the normal from the angle `from` up to the next place of
-    /// the angle `to`; angles count from x, which is (1, 0, 0) made normal to the normal unless
+    /// It runs counter-clockwise about the normal from the angle `from` up to the angle `to`, or
+    /// where that is less up to its next place, once around at most; angles count from x, which is (1, 0, 0) made normal to the normal unless
     /// given, or (0, 1, 0) where those are parallel. Piegl & Tiller, *The NURBS Book*, A7.1.
     arc in Curve -> NurbsCurve {
         /// The centre of its circle.

@@ -122,5 +122,6 @@ fn near(
         return Diagnostic::error(Code::TooFewPoints, count.span, message).fail();
     }
     let knots = KnotVector::spreading(degree.value, count.value, &parameters).at(count.span)?;
-    Approximator::new(&parameters, knots).at(count.span).map(LineFit::Near)
+    let fit = Approximator::new(&parameters, knots).and_then(Approximator::determined);
+    fit.at(count.span).map(LineFit::Near)
 }

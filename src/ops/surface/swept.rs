@@ -18,7 +18,7 @@ pub(in crate::ops) fn warn(ctx: &mut Ctx<'_>, made: &SweptSurface) {
 fn warn_of_leg(ctx: &mut Ctx<'_>, leg: &SweptLeg) {
     if let Some([before, behind]) = leg.flips.first() {
         let message = format!(
-            "the frame turns around near parameter {} of the path",
+            "the frame turns at once near parameter {} of the path",
             shortest(0.5 * (before + behind))
         );
         let hint = "`frame = \"rotation_minimizing\"` does not";

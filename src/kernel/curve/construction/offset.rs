@@ -10,9 +10,10 @@ use glam::{DVec3, DVec4};
 
 use crate::{
     ConstructionError, GeomError, InputError, IntersectionError, Interval, LocalError, Side,
-    curve::{CurveIntersection, NurbsCurve, join},
+    curve::{CurveIntersection, NurbsCurve, editing::join::join_moving},
     frame::{angle_between, norm, unit},
-    tolerance::{LAST_BIT, Tolerance},
+    joint::joint_accuracy,
+    tolerance::{LAST_BIT, OFFSET_JOINT_SHARE, Tolerance},
 };
 
 /// Last bits of a coordinate that a point of the offset may be off.
@@ -188,12 +189,16 @@ impl NurbsCurve {
         if let Some(curve) = round::offset(self, aim)? {
             return Ok(Offset { is_reversed: runs_backwards(), ..Offset::exact(curve) });
         }
+        // What the joints may move, up to degree 5 of their knots each, is left to them.
+        let moved = 5.0 * joint_accuracy(self.magnitude(), OFFSET_JOINT_SHARE * accuracy);
+        let piece_aim =
+            CurveOffsetTarget { accuracy: (accuracy - moved).max(0.5 * accuracy), ..aim };
         let OffsetPieces { pieces, folds, mut turns, starts } =
-            self.offset_pieces(aim, tolerance)?;
+            self.offset_pieces(piece_aim, tolerance)?;
         let curve = match pieces.as_slice() {
             [piece] => piece.clone(),
             // The pieces meet by construction; what is between them is rounding.
-            _ => join(&pieces, f64::INFINITY)?,
+            _ => join_moving(&pieces, f64::INFINITY, OFFSET_JOINT_SHARE * accuracy)?,
         };
         let cusps = cusp::cusps(self, aim);
         turns.extend(cusps.iter().filter_map(|&t| {

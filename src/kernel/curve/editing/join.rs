@@ -5,9 +5,9 @@ use glam::DVec3;
 use crate::{
     CountError, GeomError, Interval, JointError, KnotError,
     curve::NurbsCurve,
-    joint::{Joined, vanishing_span},
+    joint::{Joined, joint_accuracy, vanishing_span},
     refine::ControlLines,
-    tolerance::{EXACT_RELATIVE, PARAMETER_RELATIVE},
+    tolerance::{JOINT_REMOVAL_SHARE, PARAMETER_RELATIVE},
 };
 
 /// The curves one after another as one curve on the domain of the first and those of the others
@@ -16,6 +16,7 @@ use crate::{
 /// All are elevated to the highest degree among them, and the weights of each are scaled so that
 /// they begin where those before end. A joint keeps only the knots that its continuity needs: it
 /// loses those that can go without a displacement beyond rounding, or beyond the gap that it had.
+/// Far from the origin, where 1e-11 of the coordinates is much, that is a share of the tolerance, or rounding.
 /// Ends that differ within the tolerance meet halfway.
 ///
 /// ```
@@ -33,6 +34,18 @@ use crate::{
 /// [`KnotError::VanishingPiece`] for a domain too short beside the others;
 /// `InputError::NotFinite` where the weights leave the numbers.
 pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomError> {
+    join_moving(curves, tolerance, JOINT_REMOVAL_SHARE * tolerance)
+}
+
+/// As [`join`], where taking out a knot of a joint moves nothing further than `most`, or rounding.
+///
+/// # Errors
+/// Those of [`join`].
+pub(in crate::curve) fn join_moving(
+    curves: &[NurbsCurve],
+    tolerance: f64,
+    most: f64,
+) -> Result<NurbsCurve, GeomError> {
     let [first, others @ ..] = curves else {
         return Err(CountError::TooFewCurves { got: 0, needed: 1 }.into());
     };
@@ -49,7 +62,7 @@ pub fn join(curves: &[NurbsCurve], tolerance: f64) -> Result<NurbsCurve, GeomErr
         let gap = before.end().distance(next.start());
         let next = raised(next)?;
         let scale = joined.ends()[0].w / next.control_points[0].w;
-        joined.append(&next.lines(), scale, EXACT_RELATIVE * next.magnitude() + gap);
+        joined.append(&next.lines(), scale, joint_accuracy(next.magnitude(), most) + gap);
     }
     let ControlLines { knots, lines } = joined.finish()?;
     NurbsCurve::new(knots, lines.concat())

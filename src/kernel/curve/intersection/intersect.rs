@@ -30,6 +30,7 @@ use crate::{
         NurbsCurve,
         representation::part::{CurvePart, parts},
     },
+    frame::norm,
     homogeneous,
     numeric::newton::{NewtonStep, within_limits},
     sorting::sort_by,
@@ -74,6 +75,9 @@ impl NurbsCurve {
             let found = curves[0].meetings_with(&curves[1], tolerance * factor, left);
             return Ok(in_units(found?, factor));
         }
+        if let Some(found) = self.meetings_near_zero(Some(other), tolerance, left) {
+            return found;
+        }
         let mut search = IntersectionSearch::new(self, other, tolerance, *left);
         let pairs = search.near_pairs()?;
         *left = search.run(pairs)?;
@@ -100,6 +104,9 @@ impl NurbsCurve {
         if let Some(factor) = self.unit_factor(&[]) {
             let found = self.in_units(factor).own_meetings(tolerance * factor, left);
             return Ok(in_units(found?, factor));
+        }
+        if let Some(found) = self.meetings_near_zero(None, tolerance, left) {
+            return found;
         }
         let mut search = IntersectionSearch {
             is_same: true,
@@ -257,14 +264,17 @@ impl<'c> IntersectionSearch<'c> {
         (is_inside(first, t) && is_inside(second, s)).then(|| self.meeting(t, s))?
     }
 
-    /// The meeting at these parameters, if the points are within the tolerance.
+    /// The meeting at these parameters, if the points are within the tolerance, or as near as the last bits of
+    /// the parameters let them come.
     fn meeting(&self, first: f64, second: f64) -> Option<CurveIntersection> {
         let (p, q) = (self.first.point_at(first), self.second.point_at(second));
-        (p.distance(q) <= self.tolerance).then(|| CurveIntersection {
-            first,
-            second,
-            point: p.midpoint(q),
-        })
+        let apart = p.distance(q);
+        let is_met = apart <= self.tolerance || {
+            let step =
+                |curve: &NurbsCurve, t: f64| norm(curve.velocity_at(t)[1]) * LAST_BIT * t.abs();
+            apart <= self.tolerance + step(self.first, first) + step(self.second, second)
+        };
+        is_met.then(|| CurveIntersection { first, second, point: p.midpoint(q) })
     }
 
     /// Whether all of the shorter piece that can be told lies within the tolerance of the other:

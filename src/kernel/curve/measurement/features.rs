@@ -14,6 +14,7 @@ use crate::{
     curve::{
         NurbsCurve,
         intersection::bend::{BernsteinPiece, RoundedPolynomial, longest},
+        measurement::same_places::SamePlaces,
     },
     frame::angle_between,
     numeric::polynomial_roots::Signs,
@@ -134,8 +135,12 @@ impl NurbsCurve {
         let tolerance = tolerance.with_distance(tolerance.distance.max(rounding));
         let parts = self.connected_parts();
         let of_part = |part: &Cow<'_, Self>| {
-            let found = part.plane_parameters_of_part(plane, tolerance);
-            found.into_iter().map(|t| self.on_whole(part, t)).collect::<Vec<f64>>()
+            let found = match part.near_zero() {
+                Some(near) => near.plane_parameters_of_part(plane, tolerance),
+                None => part.plane_parameters_of_part(plane, tolerance),
+            };
+            let told = found.into_iter().map(|t| part.domain().far_from_zero(t));
+            told.map(|t| self.on_whole(part, t)).collect::<Vec<f64>>()
         };
         parts.iter().flat_map(of_part).collect()
     }
@@ -154,16 +159,20 @@ impl NurbsCurve {
             let rounding = LAST_BIT * self.magnitude();
             signs.follow(piece.domain(), &heights, rounding);
         }
-        candidates.extend(signs.changes().iter().map(|&(t, _)| t));
         candidates.extend(self.extrema(plane.z(), tolerance));
         candidates.retain(|&t| height(t).abs() <= tolerance.distance);
+        // Where the height changes its sign it is none, however far the next parameter is above the plane.
+        candidates.extend(signs.changes().iter().map(|&(t, _)| t));
         candidates.sort_by(f64::total_cmp);
         let mut candidates = self.told_in_plane(candidates, |t| height(t).abs(), tolerance);
         if self.is_closed(tolerance.distance) {
-            let end = self.domain().end();
+            let (start, end) = (self.domain().start(), self.domain().end());
             let near = KNOT_RELATIVE.sqrt() * self.domain().length();
-            let has_start = candidates.first().is_some_and(|t| t - self.domain().start() <= near);
-            candidates.retain(|t| !has_start || near < end - t);
+            let stays = |a: f64, b: f64| {
+                b - a <= near && highest(&|t| height(t).abs(), a, b) <= tolerance.distance
+            };
+            let has_start = candidates.first().is_some_and(|&t| stays(start, t));
+            candidates.retain(|&t| !has_start || !stays(t, end));
         }
         self.without_repeats(candidates)
     }
@@ -177,10 +186,7 @@ impl NurbsCurve {
         tolerance: Tolerance,
     ) -> Vec<f64> {
         let rounding = FLAT_ROUNDINGS * LAST_BIT * self.magnitude();
-        let highest = |a: f64, b: f64| {
-            let arc = Interval::new(a, b).map(|arc| arc.steps(FLAT_LOOKS));
-            arc.map_or(0.0, |places| places.into_iter().map(&height).fold(0.0, f64::max))
-        };
+        let highest = |a: f64, b: f64| highest(&height, a, b);
         let mut told: Vec<f64> = Vec::new();
         for run in sorted.chunk_by(|&a, &b| highest(a, b) <= tolerance.distance) {
             let low = run.iter().map(|&t| height(t)).fold(f64::INFINITY, f64::min);
@@ -231,8 +237,13 @@ impl NurbsCurve {
         let jumps = self.jumps();
         let is_jump = |t: f64| jumps.iter().any(|&(at, _)| self.is_among(t, &[at]));
         let changes = signs.changes().iter().map(|&(t, _)| t).filter(|&t| !is_jump(t));
-        let found = seam.into_iter().chain(changes).collect();
-        self.without_repeats(found)
+        if !at_seam {
+            return self.without_repeats(changes.collect());
+        }
+        // The seam is told once: what rounding leaves beside it on either side is that.
+        let same = SamePlaces::of(self);
+        let others = changes.filter(|&t| !same.is_end(t));
+        same.once(seam.into_iter().chain(others).collect())
     }
 
     /// Where a polynomial vector of the pieces vanishes: where its length has a minimum of nothing.
@@ -300,11 +311,15 @@ impl NurbsCurve {
     }
 
     /// Sorted parameters without those that are one within rounding.
-    pub(in crate::curve) fn without_repeats(&self, mut sorted: Vec<f64>) -> Vec<f64> {
-        let near = LAST_BIT.sqrt() * self.domain().length();
-        sorted.dedup_by(|later, earlier| *later - *earlier <= near);
-        sorted
+    pub(in crate::curve) fn without_repeats(&self, sorted: Vec<f64>) -> Vec<f64> {
+        if sorted.len() < 2 { sorted } else { SamePlaces::of(self).once(sorted) }
     }
+}
+
+/// The greatest height at some places of an arc; of none if that has no length.
+fn highest(height: &impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let arc = Interval::new(a, b).map(|arc| arc.steps(FLAT_LOOKS));
+    arc.map_or(0.0, |places| places.into_iter().map(height).fold(0.0, f64::max))
 }
 
 /// A tolerance for what is divided by a scale.

@@ -12,3 +12,4 @@ pub(super) mod global_queries;
 pub(super) mod local;
 pub(super) mod measure;
 pub(super) mod planar;
+pub(super) mod same_places;

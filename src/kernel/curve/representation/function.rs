@@ -12,6 +12,7 @@ use crate::{
     ceiling::{BISECTIONS, FOLLOWING_HALVINGS},
     curve::{
         NurbsCurve, ParametricCurve, construction::hermite::blossom_weights, evaluation::series,
+        measurement::same_places::SamePlaces,
     },
     frame::norm,
     numeric::{newton::within_bracket, polynomial_roots::Signs},
@@ -24,6 +25,9 @@ const ORDER: usize = 3;
 
 /// Places of a piece at which a polynomial is compared.
 const PLACES: [f64; 3] = [0.2, 0.5, 0.8];
+
+/// Pieces of a function of less than so many roundings of their parameters are not looked into.
+const LEAST_PIECE_ROUNDINGS: f64 = 8.0;
 
 /// A number at a parameter as a Taylor series, with the size of what it is the sum of.
 #[derive(Clone)]
@@ -135,7 +139,11 @@ impl ParametricCurve {
     ) -> Result<Vec<f64>, GeomError> {
         let mut signs = Signs::default();
         for span in spline.knots().spans() {
-            self.follow(spline.knots().span_interval(span), question, &mut signs)?;
+            let piece = spline.knots().span_interval(span);
+            // Nothing happens inside of what is as narrow as parameters are rounded.
+            if self.least_piece() < piece.length() {
+                self.follow(piece, question, &mut signs)?;
+            }
         }
         let domain = self.domain();
         let mut found = Vec::new();
@@ -144,14 +152,25 @@ impl ParametricCurve {
         }
         for &(t, _) in signs.changes() {
             let span = spline.knots().span_interval(spline.knots().span_at(t));
-            found.extend(self.confirmed(t, SIDE_STEP * span.length(), question)?);
+            let step = (SIDE_STEP * span.length()).max(self.parameter_rounding());
+            found.extend(self.confirmed(t, step, question)?);
         }
-        let near = LAST_BIT.sqrt() * domain.length();
-        found.dedup_by(|later, earlier| *later - *earlier <= near);
+        let same = SamePlaces::of(spline);
         if is_closed && found.first().is_some_and(|&t| t <= domain.start()) {
-            found.retain(|t| domain.end() - t > near);
+            found.retain(|&t| t <= domain.start() || !same.is_end(t));
         }
-        Ok(found)
+        Ok(same.once(found))
+    }
+
+    /// What a parameter is rounded by.
+    fn parameter_rounding(&self) -> f64 {
+        let domain = self.domain();
+        2.0 * LAST_BIT * domain.start().abs().max(domain.end().abs()).max(domain.length())
+    }
+
+    /// Pieces up to this length are too narrow to have an inside.
+    fn least_piece(&self) -> f64 {
+        LEAST_PIECE_ROUNDINGS * self.parameter_rounding()
     }
 
     /// Follows a number along a piece that has no break inside.
@@ -180,7 +199,8 @@ impl ParametricCurve {
                 }
                 Ok(true)
             };
-            if FOLLOWING_HALVINGS <= n_halvings || is_near()? {
+            let is_least = part.length() <= 2.0 * self.least_piece();
+            if FOLLOWING_HALVINGS <= n_halvings || is_least || is_near()? {
                 signs.follow(part, &coefficients, SIGN_RELATIVE * size.max(middle.size));
             } else {
                 let [before, behind] = part.halves();
@@ -198,7 +218,7 @@ impl ParametricCurve {
         fraction: f64,
         question: &DerivativeQuestion<F>,
     ) -> Result<MeasuredSeries, GeomError> {
-        let step = 2.0 * LAST_BIT * self.domain().length() / piece.length();
+        let step = (self.parameter_rounding() / piece.length()).min(0.5);
         let beside = |step: f64| fraction.clamp(step, 1.0 - step);
         let is_end = fraction <= 0.0 || 1.0 <= fraction;
         let at = |fraction: f64| self.asked(piece.at(fraction), question, ORDER);

@@ -6,10 +6,10 @@ use crate::{
     GeomError, Grid, JointError, KnotError,
     compatible::on_common_knots,
     homogeneous,
-    joint::{Joined, vanishing_span},
+    joint::{Joined, joint_accuracy, vanishing_span},
     refine::ControlLines,
     surface::{Direction, NurbsSurface},
-    tolerance::EXACT_RELATIVE,
+    tolerance::{EXACT_RELATIVE, JOINT_REMOVAL_SHARE},
 };
 
 /// The patches `[i][j]`, i along u, as one surface on the domain of the first and those of the
@@ -67,7 +67,8 @@ fn joined(
             let (gap, along) = (gap.width, along.name());
             return Err(JointError::PatchGap { along, before, next, gap, tolerance }.into());
         }
-        let accuracy = EXACT_RELATIVE * magnitude(&next) + gap.width;
+        let accuracy =
+            joint_accuracy(magnitude(&next), JOINT_REMOVAL_SHARE * tolerance) + gap.width;
         chain.append(&next, gap.scale, accuracy);
     }
     let chain = chain.finish()?;

@@ -12,7 +12,7 @@ use crate::{
 op! {
     /// Bézier curves that a curve consists of, each on its own part of the domain.
     ///
-    /// Exact. `join` makes the same curve of them. Piegl & Tiller, *The NURBS Book*, A5.6.
+    /// Exact. `join` makes the same curve of them, unless it jumps. Piegl & Tiller, *The NURBS Book*, A5.6.
     decompose | to_bezier in Edit -> Vec<NurbsCurve> {
         /// The curve.
         c: Arc<NurbsCurve>,

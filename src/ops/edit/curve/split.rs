@@ -9,7 +9,7 @@ use crate::{
 op! {
     /// Both parts of a curve at a parameter, `[left, right]`, each with the parameters it had.
     ///
-    /// Exact. `join` makes the same curve of them.
+    /// Exact. `join` makes the same curve of them, unless it jumps.
     /// A parametric curve gives two of its kind.
     /// Piegl & Tiller, *The NURBS Book*, §5.2.
     split in Edit -> Vec<Curve> {

@@ -19,13 +19,13 @@ op! {
     /// document's tolerance are closed halfway. One strip of patches is `[[a, b]]` along v and
     /// `[[a], [b]]` along u. Linkeová, *Curves and Surfaces for Computer Graphics*, §3.7.
     join in Edit -> NurbsSurface {
-        /// The patches, two or more.
+        /// The patches, of which a single one stays as it is.
         patches: Spanned<Vec<Vec<Arc<NurbsSurface>>>>,
     }
     example "join([[bilinear((0, 0), (0, 1), (1, 0), (1, 1))], [bilinear((1, 0), (1, 1), (3, 0), (3, 1))]]).patches" => "[2, 1]";
     example "join(decompose(clamped([for i in 0..4: [for j in 0..4: (i, j, if i == 2 then 1 else 0)]]))).knots_u" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
+    example "join(decompose(plane_patch((0, 0), (1, 0), (0, 1)))).patches" => "[1, 1]";
     refuses "join([[plane_patch((0, 0), (1, 0), (0, 1)), plane_patch((2, 0), (1, 0), (0, 1))]])" => "E0609: `patches[0][1]` begins 2.236 from where `patches[0][0]` ends along v, more than the tolerance 1e-6";
-    refuses "join([[plane_patch((0, 0), (1, 0), (0, 1))]])" => "E0401: 2 patches or more are needed, found 1";
     derivative shape;
     scene r#"
         let a = bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]]) with (hidden = true)
@@ -48,10 +48,12 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
         return Diagnostic::error(Code::RaggedGrid, span, message).fail();
     }
     let grid = Grid::from_rows(rows).at(span)?;
-    let n = grid.as_slice().len();
-    if n < 2 {
-        let message = format!("2 patches or more are needed, found {n}");
-        return Diagnostic::error(Code::BadCall, span, message).fail();
+    if let [single] = grid.as_slice() {
+        return Ok(single.clone());
+    }
+    if grid.as_slice().is_empty() {
+        return Diagnostic::error(Code::BadCall, span, "a patch or more are needed, found none")
+            .fail();
     }
     let n_rows: usize = (0..grid.n_rows()).map(|i| grid.row(i)[0].knots_u().n_points()).sum();
     let n_columns = grid.row(0).iter().map(|patch| patch.knots_v().n_points()).sum();

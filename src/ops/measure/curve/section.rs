@@ -26,6 +26,5 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
-    let parameters = args.g.plane_parameters(*args.plane, ctx.tolerance).at(ctx.span)?;
-    parameters.into_iter().map(|t| args.g.point_at(t).at(ctx.span)).collect()
+    args.g.plane_points(*args.plane, ctx.tolerance).at(ctx.span)
 }

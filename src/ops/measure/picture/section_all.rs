@@ -49,10 +49,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     for part in &args.g {
         match part {
             Sectioned::Curve(curve) => {
-                let parameters = curve.plane_parameters(*args.plane, ctx.tolerance).at(ctx.span)?;
-                for t in parameters {
-                    found.push(curve.point_at(t).at(ctx.span)?.into_value());
-                }
+                let points = curve.plane_points(*args.plane, ctx.tolerance).at(ctx.span)?;
+                found.extend(points.into_iter().map(IntoValue::into_value));
             }
             Sectioned::Surface(surface) => {
                 let curves = section_curves(ctx, surface, *args.plane)?;

@@ -10,6 +10,7 @@ use glam::{DVec3, DVec4};
 
 use super::{
     error::PictureError,
+    far::piercings_near_zero,
     pair::{SurfacePart, SurfacePatches},
     results::CurveSurfaceIntersection,
     scaled::CommonScale,
@@ -80,6 +81,9 @@ impl Surface {
             let surface = scale.surface(&Self::Nurbs(spline))?;
             let curve = scale.curve(&Curve::Nurbs(curve));
             return scale.piercings(surface.piercings(&curve, scale.tolerance(tolerance)));
+        }
+        if let Some(found) = piercings_near_zero(&curve, &spline, tolerance) {
+            return found;
         }
         let size = curve.bounds().diagonal().max(spline.bounds().diagonal());
         let rounding = LAST_BIT * magnitude;
@@ -218,11 +222,15 @@ impl PiercingSearch<'_> {
 
     fn piercing(&self, t: f64, uv: [f64; 2]) -> Option<CurveSurfaceIntersection> {
         let (p, q) = (self.curve.point_at(t), self.surface.point_at(uv[0], uv[1]));
-        (p.distance(q) <= self.tolerance).then(|| CurveSurfaceIntersection {
-            t,
-            uv,
-            point: p.midpoint(q),
-        })
+        let apart = p.distance(q);
+        // The last bits of the parameters may not let them come nearer.
+        let is_met = apart <= self.tolerance || {
+            let [_, by_u, by_v] = self.surface.tangents_at(uv[0], uv[1]);
+            let steps = [(self.curve.velocity_at(t)[1], t), (by_u, uv[0]), (by_v, uv[1])];
+            let reach: f64 = steps.iter().map(|&(by, at)| norm(by) * LAST_BIT * at.abs()).sum();
+            apart <= self.tolerance + reach
+        };
+        is_met.then(|| CurveSurfaceIntersection { t, uv, point: p.midpoint(q) })
     }
 
     /// The nearest approach within each stretch of contacts.
@@ -276,7 +284,10 @@ impl PiercingSearch<'_> {
         let domain = self.curve.domain();
         let near = LAST_BIT.sqrt() * domain.length();
         if self.curve.is_closed(self.tolerance) {
-            let at_end = |place: &&mut CurveSurfaceIntersection| domain.end() - place.t <= near;
+            let at_end = |place: &&mut CurveSurfaceIntersection| {
+                domain.end() - place.t <= near
+                    && norm(place.point - self.curve.end()) <= 2.0 * self.tolerance
+            };
             found.iter_mut().filter(at_end).for_each(|place| place.t = domain.start());
         }
         let order = |a: &CurveSurfaceIntersection, b: &CurveSurfaceIntersection| {

@@ -10,7 +10,8 @@
 //! of what they mirror. `surface_intersection` has the curves in which two surfaces cross,
 //! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`tangential_contact`)
 //! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface.
-//! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest.
+//! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest, `far` for parameters
+//! far from zero.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
@@ -24,6 +25,7 @@ mod cubic;
 mod curve_surface_intersection;
 mod elsewhere;
 mod error;
+mod far;
 mod pair;
 mod plane;
 mod resting_place;

@@ -46,6 +46,9 @@ impl NurbsSurface {
     /// [`super::PictureError::Unresolved`] where the surface runs so near along the plane that rounding
     /// decides where it cuts.
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
+        if let Some(near) = self.near_zero() {
+            return self.told_here(near.section(plane, tolerance));
+        }
         let distance = self.line_tolerance(tolerance)?;
         let mut found = self.lines_in(plane, distance, tolerance)?;
         found.curves = self.exact_in_plane(found.curves, plane, distance);

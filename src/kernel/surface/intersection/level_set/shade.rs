@@ -52,6 +52,9 @@ impl Surface {
             let found = scaled.isophotes(to_light, angles, scale.tolerance(tolerance));
             return scale.all_lines(found);
         }
+        if let Some((whole, near)) = self.near_zero() {
+            return whole.told_here(near.isophotes(to_light, angles, tolerance));
+        }
         let light =
             unit(to_light).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the light" }))?;
         let (patches, distance) = shaded(self, tolerance)?;
@@ -130,6 +133,9 @@ impl Surface {
             let found = scaled.sectors(light, along, n_bands, scale.tolerance(tolerance));
             return scale.all_lines(found);
         }
+        if let Some((whole, near)) = self.near_zero() {
+            return whole.told_here(near.sectors(light, along, n_bands, tolerance));
+        }
         let aside = along.cross(light);
         let (patches, distance) = shaded(self, tolerance)?;
         let mut collected: Vec<ZeroSetParts> =
@@ -169,6 +175,9 @@ impl Surface {
             let lights: Vec<_> = lights.iter().map(|&[at, way]| [scale.place(at), way]).collect();
             let tolerance = scale.tolerance(tolerance);
             return scale.all_lines(scaled.reflection_lines(scale.place(eye), &lights, tolerance));
+        }
+        if let Some((whole, near)) = self.near_zero() {
+            return whole.told_here(near.reflection_lines(eye, lights, tolerance));
         }
         let (patches, distance) = shaded(self, tolerance)?;
         let mut collected: Vec<ZeroSetParts> =

@@ -59,6 +59,12 @@ impl Surface {
             let [a, b] = [scale.surface(&Self::Nurbs(a))?, scale.surface(&Self::Nurbs(b))?];
             return scale.lines(a.intersections(&b, scale.tolerance(tolerance)));
         }
+        let near = [a.near_zero(), b.near_zero()];
+        if near.iter().any(Option::is_some) {
+            let [near_a, near_b] = near.map(|near| near.map(Arc::new));
+            let [a, b] = [near_a.unwrap_or(a), near_b.unwrap_or(b)].map(Self::Nurbs);
+            return a.intersections(&b, tolerance);
+        }
         let size = a.bounds().diagonal().min(b.bounds().diagonal());
         let tolerance = tolerance.distance_for(size);
         check_rounding(tolerance, magnitude)?;
