@@ -36,6 +36,7 @@ mod nearest;
 mod nesting;
 mod orient;
 mod outline;
+mod pinched;
 mod places_along;
 mod planar;
 mod polygons;

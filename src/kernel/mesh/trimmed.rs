@@ -15,12 +15,13 @@ use super::{
     bend::DerivativeBounds,
     chord::chord_deviation,
     even_plane::EvenPlane,
+    pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
+    CountError, GeomError, NurbsCurve, NurbsSurface, RegionError, Side, bezier,
     ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
@@ -30,6 +31,9 @@ const LEG_ROOM: f64 = 1.3;
 
 /// Rounds of vertices in the middle of triangles; each leaves a third of the way to a leg.
 const MIDDLE_ROUNDS: usize = 24;
+
+/// Within how many distances of welding of a vertex the surface is between parameters that are its place.
+const WITHIN_PLACE: f64 = 4.0;
 
 /// Loops of one part, the outer one first; each by its arcs in the plane z = 0 of u and v.
 pub(crate) type PartLoops = Vec<Vec<NurbsCurve>>;
@@ -55,14 +59,23 @@ pub(crate) struct PartsTessellation<'a> {
     cells: Cells,
     /// What legs may leave out.
     leg_tolerance: f64,
+    /// Within which distance places are one.
+    weld: f64,
     most: usize,
+    /// Whether a mesh showed that the cells keep to all limits.
+    is_settled: bool,
+    /// How many times nearer the limits are than they were given.
+    sharpness: f64,
+    /// How many times further than they may the normals of the last mesh turned.
+    last_excess: f64,
+    n_rounds: usize,
 }
 
 /// The mesh of parts of a surface, none of which goes over a line along which its derivative jumps;
 /// `is_closed` tells which pairs of its edges are one.
 ///
 /// # Errors
-/// Those of [`PartsTessellation::settled`].
+/// Those of [`PartsTessellation::settled`]; [`RegionError::Unclear`] where arcs come too near one another.
 pub(crate) fn tessellate_parts(
     surface: &NurbsSurface,
     parts: &[PartLoops],
@@ -70,22 +83,23 @@ pub(crate) fn tessellate_parts(
     options: &TessellationOptions,
     most: usize,
 ) -> Result<Mesh, GeomError> {
-    Ok(PartsTessellation::settled(surface, parts, is_closed, options, most)?.1)
+    PartsTessellation::settled(surface, parts, is_closed, options, most)?.1
 }
 
 impl<'a> PartsTessellation<'a> {
-    /// With cells that keep to all limits, and the mesh that shows it.
+    /// With cells that keep to all limits, and the mesh that shows it; or as far as is known without neighbours,
+    /// and [`RegionError::Unclear`] where arcs come too near one another.
     ///
     /// # Errors
     /// [`crate::InputError::NotPositive`] for a limit that allows nothing; [`CountError::TooManyVertices`];
-    /// [`crate::MeshError::BelowRounding`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    /// [`crate::MeshError::BelowRounding`].
     pub(crate) fn settled(
         surface: &'a NurbsSurface,
         parts: &'a [PartLoops],
         is_closed: [bool; 2],
         options: &TessellationOptions,
         most: usize,
-    ) -> Result<(Self, Mesh), GeomError> {
+    ) -> Result<(Self, Result<Mesh, GeomError>), GeomError> {
         options.check()?;
         check_rounding(options.tolerance, surface.bounds().magnitude())?;
         // What legs leave out, and what triangles do.
@@ -98,21 +112,63 @@ impl<'a> PartsTessellation<'a> {
         let sheet = SurfacePatch::of_spline(surface, triangles);
         let limits = sheet.limits(options);
         let cells = sheet.cells(limits.sharpened(1.0), most)?;
-        let mut own = Self { sheet, parts, is_closed, first, cells, leg_tolerance, most };
-        let (mut sharpness, mut last) = (1.0, f64::INFINITY);
-        for round in 1.. {
+        let mut own = Self {
+            sheet,
+            parts,
+            is_closed,
+            first,
+            cells,
+            leg_tolerance,
+            weld: options.weld,
+            most,
+            is_settled: false,
+            sharpness: 1.0,
+            last_excess: f64::INFINITY,
+            n_rounds: 0,
+        };
+        loop {
             GeomError::go_on(1)?;
-            let mesh = own.mesh()?;
-            let excess = widest_turn(&mesh, options.tolerance) / options.angle;
-            let is_done = !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * last <= excess;
-            if is_done || TESSELLATION_ROUNDS <= round {
-                return Ok((own, mesh));
+            let mesh = match own.mesh() {
+                // Vertices of neighbours may keep the legs apart.
+                Err(error @ GeomError::Region(RegionError::Unclear { .. })) => {
+                    return Ok((own, Err(error)));
+                }
+                mesh => mesh?,
+            };
+            if !own.sharpen(&mesh, options)? {
+                own.is_settled = true;
+                return Ok((own, Ok(mesh)));
             }
-            sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-            own.cells = own.sheet.cells(limits.sharpened(sharpness), most)?;
-            last = excess;
         }
-        unreachable!("rounds end")
+    }
+
+    /// Whether a mesh showed that its cells keep to all limits.
+    pub(crate) const fn is_settled(&self) -> bool {
+        self.is_settled
+    }
+
+    /// Makes cells smaller for a mesh in which normals turn further than they may; false where they are small
+    /// enough, or smaller ones gain nothing.
+    ///
+    /// # Errors
+    /// [`CountError::TooManyVertices`].
+    pub(crate) fn sharpen(
+        &mut self,
+        mesh: &Mesh,
+        options: &TessellationOptions,
+    ) -> Result<bool, GeomError> {
+        self.n_rounds += 1;
+        let excess = widest_turn(mesh, options.tolerance) / options.angle;
+        let is_done =
+            !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * self.last_excess <= excess;
+        if is_done || TESSELLATION_ROUNDS <= self.n_rounds {
+            return Ok(false);
+        }
+        self.sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
+        let limits = self.sheet.limits(options).sharpened(self.sharpness);
+        self.cells = self.sheet.cells(limits, self.most)?;
+        self.last_excess = excess;
+        Ok(true)
     }
 
     /// The arcs of all loops.
@@ -148,7 +204,7 @@ impl<'a> PartsTessellation<'a> {
     /// The mesh whose border has these vertices along each arc, that at its end left out.
     ///
     /// # Errors
-    /// [`CountError::TooManyVertices`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    /// [`CountError::TooManyVertices`]; [`RegionError::Unclear`] where arcs come too near one another.
     pub(crate) fn mesh_within(
         &self,
         mut along_arcs: impl Iterator<Item = Vec<BorderVertex>>,
@@ -159,9 +215,53 @@ impl<'a> PartsTessellation<'a> {
                 .iter()
                 .map(|arcs| along_arcs.by_ref().take(arcs.len()).flatten().collect())
                 .collect();
+            let loops = without_folds(self.with_common_places(loops));
             self.add(&loops, &mut mesh)?;
         }
         Ok(mesh.without_strays())
+    }
+
+    /// The pairs of legs that cross, where the border has these vertices along each arc, that at its end left out:
+    /// for each the number of its arc and its own along that.
+    pub(crate) fn crossing_legs(
+        &self,
+        mut along_arcs: impl Iterator<Item = Vec<BorderVertex>>,
+    ) -> Vec<[(usize, usize); 2]> {
+        let net = EvenPlane { lines: &self.cells.lines };
+        let (mut pairs, mut n_arcs) = (Vec::new(), 0);
+        for part in self.parts {
+            let (mut loops, mut legs) = (Vec::new(), Vec::new());
+            for arcs in part {
+                let mut polygon = Vec::new();
+                for vertices in along_arcs.by_ref().take(arcs.len()) {
+                    legs.extend((0..vertices.len()).map(|leg| (n_arcs, leg)));
+                    polygon.extend(vertices);
+                    n_arcs += 1;
+                }
+                loops.push(polygon);
+            }
+            let place = |vertex: &BorderVertex| net.place(vertex.parameters);
+            let polygons: Vec<Vec<DVec2>> = self
+                .with_common_places(loops)
+                .iter()
+                .map(|polygon| polygon.iter().map(place).collect())
+                .collect();
+            pairs.extend(crossing_sides(&polygons).into_iter().map(|pair| pair.map(|k| legs[k])));
+        }
+        pairs
+    }
+
+    /// Vertices at one point of space get one place, unless a seam is between them.
+    fn with_common_places(&self, mut loops: Vec<Vec<BorderVertex>>) -> Vec<Vec<BorderVertex>> {
+        let is_one = |[one, other]: [DVec2; 2], point: DVec3| {
+            let is_near = |share: f64| {
+                let between = self.point(one.lerp(other, share));
+                between.distance(point) <= WITHIN_PLACE * self.weld
+            };
+            [0.25, 0.5, 0.75].into_iter().all(is_near)
+        };
+        with_common_places(&mut loops, is_one);
+        loops
     }
 
     /// Where the vertices along each arc stand that keep to the limits: its parameters, its ends among them.
@@ -225,6 +325,9 @@ impl<'a> PartsTessellation<'a> {
 
     /// Adds the triangles of one part, whose loops are polygons.
     fn add(&self, loops: &[Vec<BorderVertex>], mesh: &mut Mesh) -> Result<(), GeomError> {
+        if loops.is_empty() {
+            return Ok(());
+        }
         let (cells, most) = (&self.cells, self.most);
         let net = EvenPlane { lines: &cells.lines };
         let mut rings: Vec<BorderPolygon> = Vec::new();
@@ -248,7 +351,7 @@ impl<'a> PartsTessellation<'a> {
             triangles_with(&rings, inside, is_fine, limits).map_err(|vertex| {
                 let vertex = loops.iter().flatten().nth(vertex);
                 let point = vertex.map_or(DVec3::ZERO, |vertex| vertex.point);
-                crate::RegionError::Unclear { point }
+                RegionError::Unclear { point }
             })?;
         let inside = inside.iter().map(|&place| self.vertex_at(net.parameters(place)));
         let own: Vec<BorderVertex> = loops.iter().flatten().copied().chain(inside).collect();
