@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::trimmed::BorderVertex;
+use super::{Mesh, trimmed::BorderVertex};
 use crate::{Bounds, box_tree::BoxTree};
 
 /// A vertex by the bits of its coordinates and parameters.
@@ -95,6 +95,50 @@ pub(super) fn without_folds(loops: Vec<Vec<BorderVertex>>) -> Vec<Vec<BorderVert
         way.iter().for_each(|&vertex| place_on_way[vertex] = None);
     }
     rings
+}
+
+/// Takes away triangles of neighbouring meshes that lie on one another, with the same corners and facing apart: where
+/// borders of both run along one another, and vertices on them hardly leave a line. `width` is what such triangles
+/// are narrower than.
+pub(crate) fn drop_opposite_triangles(meshes: &mut [Mesh], width: f64) {
+    let mut of_corners: BTreeMap<[[u64; 3]; 3], Vec<(usize, usize, bool)>> = BTreeMap::new();
+    for (number, mesh) in meshes.iter().enumerate() {
+        for (triangle, corners) in mesh.corners().enumerate() {
+            if width <= height(corners) {
+                continue;
+            }
+            let mut keys = corners.map(point_bits);
+            // Whether the sorted corners are in the sense of the triangle.
+            let is_even = [(0, 1), (1, 2), (0, 2)]
+                .iter()
+                .filter(|&&(i, k)| keys[k] < keys[i])
+                .count()
+                .is_multiple_of(2);
+            keys.sort_unstable();
+            of_corners.entry(keys).or_default().push((number, triangle, is_even));
+        }
+    }
+    let mut dropped: Vec<Vec<usize>> = vec![Vec::new(); meshes.len()];
+    for found in of_corners.into_values() {
+        let (even, odd): (Vec<_>, Vec<_>) = found.into_iter().partition(|&(.., is_even)| is_even);
+        for (one, other) in even.into_iter().zip(odd) {
+            [one, other].iter().for_each(|&(number, triangle, _)| dropped[number].push(triangle));
+        }
+    }
+    for (mesh, mut dropped) in meshes.iter_mut().zip(dropped) {
+        dropped.sort_unstable();
+        let mut number = 0;
+        mesh.triangles.retain(|_| {
+            number += 1;
+            dropped.binary_search(&(number - 1)).is_err()
+        });
+    }
+}
+
+/// The least height of a triangle.
+fn height([a, b, c]: [DVec3; 3]) -> f64 {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    (b - a).cross(c - a).length() / longest
 }
 
 /// The pairs of sides of polygons, numbered through, that meet other than in a vertex of both.

@@ -13,21 +13,18 @@ use glam::{DVec2, DVec3};
 use super::{
     Mesh, TessellationOptions,
     bend::DerivativeBounds,
-    chord::chord_deviation,
     even_plane::EvenPlane,
+    legs::{SharedLine, at, between},
     pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, RegionError, Side, bezier,
-    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
+    CountError, GeomError, NurbsCurve, NurbsSurface, RegionError, Side,
+    ceiling::TESSELLATION_ROUNDS,
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
-
-/// By how much more than a leg's box must be allowed, for the triangles on it.
-const LEG_ROOM: f64 = 1.3;
 
 /// Rounds of vertices in the middle of triangles; each leaves a third of the way to a leg.
 const MIDDLE_ROUNDS: usize = 24;
@@ -38,9 +35,6 @@ const WITHIN_PLACE: f64 = 4.0;
 /// Loops of one part, the outer one first; each by its arcs in the plane z = 0 of u and v.
 pub(crate) type PartLoops = Vec<Vec<NurbsCurve>>;
 
-/// Where an arc runs along a line that parts share: which parameter is constant, and the line's number.
-type SharedLine = (usize, u64);
-
 /// A place on the border of a part: at which parameters of the surface, and where it is.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BorderVertex {
@@ -50,18 +44,18 @@ pub(crate) struct BorderVertex {
 
 /// Parts of a surface that become triangles.
 pub(crate) struct PartsTessellation<'a> {
-    sheet: SurfacePatch<'a>,
+    pub(super) sheet: SurfacePatch<'a>,
     parts: &'a [PartLoops],
-    is_closed: [bool; 2],
+    pub(super) is_closed: [bool; 2],
     /// Bounds of the lengths of Su and of Sv.
-    first: [f64; 2],
+    pub(super) first: [f64; 2],
     /// The limits of triangles.
-    cells: Cells,
+    pub(super) cells: Cells,
     /// What legs may leave out.
-    leg_tolerance: f64,
+    pub(super) leg_tolerance: f64,
     /// Within which distance places are one.
     weld: f64,
-    most: usize,
+    pub(super) most: usize,
     /// Whether a mesh showed that the cells keep to all limits.
     is_settled: bool,
     /// How many times nearer the limits are than they were given.
@@ -277,52 +271,6 @@ impl<'a> PartsTessellation<'a> {
         BorderVertex { parameters, point: self.point(parameters) }
     }
 
-    /// The line of constant parameter along which an arc runs that both of its sides share.
-    fn shared_line(&self, arc: &NurbsCurve) -> Option<SharedLine> {
-        let points = arc.points();
-        let is = |a: f64, b: f64| (a - b).abs() <= 0.0;
-        (0..2).find_map(|across| {
-            let value = points[0][across];
-            let domain = self.sheet.domains()[across];
-            let is_end = is(value, domain.start()) || is(value, domain.end());
-            let is_seam = self.is_closed[across] && is_end;
-            let is_crease = self.sheet.breaks[across].iter().any(|line| is(line.at, value));
-            let is_line = points.iter().all(|point| is(point[across], value));
-            let key = if is_seam { domain.start() } else { value };
-            (is_line && (is_seam || is_crease)).then_some((across, key.to_bits()))
-        })
-    }
-
-    /// Parameters of an arc between which legs may run, its ends among them.
-    fn stops(&self, arc: &NurbsCurve) -> Result<Vec<f64>, GeomError> {
-        let most = self.most;
-        let stretch = DVec3::new(self.first[0], self.first[1], 0.0);
-        let stretched = arc.transformed(&glam::DAffine3::from_scale(stretch));
-        let mut stops = vec![arc.domain().start()];
-        for span in arc.knots().spans() {
-            let piece = bezier::piece(arc.knots(), stretched.control_points(), span);
-            let mut todo = vec![(piece, arc.knots().span_interval(span), 0)];
-            while let Some((piece, interval, n_halvings)) = todo.pop() {
-                GeomError::go_on(1)?;
-                let ends = [interval.start(), interval.end()].map(|t| at(arc, t));
-                let is_near = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
-                let fits = is_near <= self.leg_tolerance && leg_fits(&self.cells, ends);
-                if fits || PARAMETER_HALVINGS <= n_halvings {
-                    stops.push(interval.end());
-                } else {
-                    let (left, right) = bezier::cut_at(&piece, 0.5);
-                    let [before, behind] = interval.halves();
-                    todo.extend([(right, behind, n_halvings + 1), (left, before, n_halvings + 1)]);
-                }
-                let got = stops.len() + todo.len();
-                if most < got {
-                    return Err(CountError::TooManyVertices { got, most }.into());
-                }
-            }
-        }
-        Ok(stops)
-    }
-
     /// Adds the triangles of one part, whose loops are polygons.
     fn add(&self, loops: &[Vec<BorderVertex>], mesh: &mut Mesh) -> Result<(), GeomError> {
         if loops.is_empty() {
@@ -394,33 +342,4 @@ impl<'a> PartsTessellation<'a> {
         let sides = [0, 1].map(|i| if place[i] <= middle[i] { Side::Right } else { Side::Left });
         self.sheet.spline.sample_beside(place.to_array(), sides).1
     }
-}
-
-/// The parameters of the surface at one of an arc.
-fn at(arc: &NurbsCurve, t: f64) -> DVec2 {
-    arc.point_at(t).truncate()
-}
-
-/// The places on a line along which an arc runs, from its start up to before its end.
-fn between(arc: &NurbsCurve, along: usize, places: &[f64], slack: f64) -> Vec<DVec2> {
-    let (start, end) = (arc.start().truncate(), arc.end().truncate());
-    let (from, to) = (start[along], end[along]);
-    let (low, high) = (from.min(to) + slack, from.max(to) - slack);
-    let inner = places.iter().copied().filter(|&t| low < t && t < high);
-    let mut inner: Vec<f64> = inner.collect();
-    if to < from {
-        inner.reverse();
-    }
-    let place = |t: f64| if along == 0 { DVec2::new(t, start.y) } else { DVec2::new(start.x, t) };
-    std::iter::once(start).chain(inner.into_iter().map(place)).collect()
-}
-
-/// Whether limits allow a leg, and triangles on it.
-fn leg_fits(cells: &Cells, [a, b]: [DVec2; 2]) -> bool {
-    let (low, high) = (a.min(b), a.max(b));
-    let wider = |low: f64, high: f64| {
-        let room = 0.5 * (LEG_ROOM - 1.0) * (high - low);
-        [low - room, high + room]
-    };
-    cells.allow([wider(low.x, high.x), wider(low.y, high.y)])
 }

@@ -14,7 +14,10 @@ use crate::{
     Bounds, CountError, GeomError, Mesh, NurbsCurve, RegionError, Surface, TessellationOptions,
     ceiling::CROSSING_ROUNDS,
     distance_to_polyline,
-    mesh::{BorderVertex, PartLoops, PartsTessellation, PlacesAlong, tessellate_through, welded},
+    mesh::{
+        BorderVertex, PartLoops, PartsTessellation, PlacesAlong, drop_opposite_triangles,
+        tessellate_through, welded,
+    },
     sorting::sort_by,
     tessellate_all, tessellation_parameters,
     tolerance::PARAMETER_RELATIVE,
@@ -169,7 +172,9 @@ fn with_common_vertices(
     let mesh = |(tessellation, arcs): (&PartsTessellation<'_>, &mut Vec<MeshedArc<'_>>)| {
         tessellation.mesh_within(arcs.iter().map(|arc| arc.vertices.clone()))
     };
-    let faces = tessellations.iter().zip(arcs).map(mesh).collect::<Result<_, _>>()?;
+    let mut faces =
+        tessellations.iter().zip(arcs).map(mesh).collect::<Result<Vec<_>, GeomError>>()?;
+    drop_opposite_triangles(&mut faces, apart);
     Ok(JoinedMeshes { surfaces, faces })
 }
 
