@@ -56,6 +56,7 @@ mod sizes;
 mod skin;
 mod solid;
 mod solid_cut;
+mod solid_rims;
 mod some;
 mod strips;
 mod surface;

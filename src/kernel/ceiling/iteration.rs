@@ -156,6 +156,13 @@ pub(crate) const FLATTENING_STEPS: usize = 64;
 /// compared than there, the cells become smaller.
 pub(crate) const TESSELLATION_ROUNDS: usize = 5;
 
+/// How often the legs of borders that cross are divided: where borders run into one place along one tangent, each
+/// round is some way nearer to that.
+pub(crate) const CROSSING_ROUNDS: usize = 24;
+
+/// Planes through edges that are tried where one cuts a solid within the tolerance of them.
+pub(crate) const RIMS_BESIDE_PLANE: usize = 3;
+
 /// Times that a search for the nearest place becomes content with less.
 pub(crate) const NEAREST_LENIENCIES: usize = 4;
 

@@ -5,7 +5,8 @@
 //! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`, or of the two curves of `homothetic`; `cell_bounds`
 //! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
-//! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
+//! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface, whose borders are
+//! the `legs` of arcs and come together where they are `pinched`. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
 //! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `crossing` where it goes through itself, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
@@ -29,6 +30,7 @@ mod flattened;
 mod form;
 mod grid;
 mod homothetic;
+mod legs;
 mod manifold_body;
 mod measure;
 mod near;
@@ -36,6 +38,7 @@ mod nearest;
 mod nesting;
 mod orient;
 mod outline;
+mod pinched;
 mod places_along;
 mod planar;
 mod polygons;
@@ -64,6 +67,7 @@ pub use fault::{FaceFault, MeshError};
 pub use grid::grid_mesh;
 pub use nearest::MeshDistance;
 pub use orient::facing_inward;
+pub(crate) use pinched::drop_opposite_triangles;
 pub(crate) use places_along::PlacesAlong;
 pub use planar::planar_mesh;
 pub use polygons::{polygon_mesh, split_polygon};

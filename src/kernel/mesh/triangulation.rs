@@ -58,7 +58,7 @@ type Triangulation =
 /// Voronoi diagrams*, Algorithmica 7 (1992); Shewchuk & Brown, *Fast segment insertion and incremental
 /// construction of constrained Delaunay triangulations*, Computational Geometry 48 (2015).
 pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<RegionTriangles, usize> {
-    let ConstrainedNet { net, handles, ends, .. } = ConstrainedNet::of(rings)?;
+    let ConstrainedNet { net, handles, ends, .. } = ConstrainedNet::of(rings, Repeated::Fault)?;
     let depths = depths(&net);
     let n_around = |ring: &BorderPolygon| {
         let [a, b] = [handles[ring.first], handles[ends[ring.first]]];
@@ -70,7 +70,7 @@ pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<RegionTriangles, usiz
 
 /// The triangles of a region with vertices inside: given ones, and such as lie in the middle of triangles
 /// that are not fine, until all are or `most` vertices or `n_rounds` rounds are reached. The places of the
-/// vertices inside come behind those of the borders.
+/// vertices inside come behind those of the borders. Where borders come to a place more than once they touch.
 ///
 /// # Errors
 /// The first vertex of a side that crosses or touches another one.
@@ -80,7 +80,7 @@ pub(super) fn triangles_with(
     is_fine: impl Fn([DVec2; 3]) -> bool,
     [n_rounds, most]: [usize; 2],
 ) -> Result<(Vec<[u32; 3]>, Vec<DVec2>), usize> {
-    let mut all = ConstrainedNet::of(rings)?;
+    let mut all = ConstrainedNet::of(rings, Repeated::OneVertex)?;
     let border: Vec<DVec2> = rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
     let n_border = border.len();
     let mut n_known = 0;
@@ -113,6 +113,22 @@ pub(super) fn triangles_with(
     unreachable!("rounds end")
 }
 
+/// What a place is to which borders come more than once.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Repeated {
+    Fault,
+    OneVertex,
+}
+
+/// What became of a vertex of a triangulation.
+enum InsertedVertex {
+    New(FixedVertexHandle),
+    /// There was one at its place, which is it now.
+    Known(FixedVertexHandle),
+    /// Its coordinates are no numbers.
+    NoPlace,
+}
+
 /// A triangulation with the sides of polygons in it.
 struct ConstrainedNet {
     net: Triangulation,
@@ -124,7 +140,7 @@ struct ConstrainedNet {
 }
 
 impl ConstrainedNet {
-    fn of(rings: &[BorderPolygon]) -> Result<Self, usize> {
+    fn of(rings: &[BorderPolygon], repeated: Repeated) -> Result<Self, usize> {
         let places: Vec<DVec2> =
             rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
         let size = places.iter().map(|place| place.abs().max_element()).fold(0.0, f64::max);
@@ -137,7 +153,12 @@ impl ConstrainedNet {
         let handles = vec![None; places.len()];
         let mut all = Self { net: Triangulation::new(), handles, ends, exponent: -exponent };
         for index in mixed(places.len()) {
-            all.handles[index] = Some(all.insert(places[index], index).ok_or(index)?);
+            let vertex = match all.insert(places[index], index) {
+                InsertedVertex::New(vertex) => Some(vertex),
+                InsertedVertex::Known(vertex) if repeated == Repeated::OneVertex => Some(vertex),
+                _ => None,
+            };
+            all.handles[index] = Some(vertex.ok_or(index)?);
         }
         for from in mixed(all.ends.len()) {
             let (Some(a), Some(b)) = (all.handles[from], all.handles[all.ends[from]]) else {
@@ -155,8 +176,8 @@ impl ConstrainedNet {
         Ok(all)
     }
 
-    /// A new vertex; none where there is one already.
-    fn insert(&mut self, place: DVec2, index: usize) -> Option<FixedVertexHandle> {
+    /// The vertex at a place.
+    fn insert(&mut self, place: DVec2, index: usize) -> InsertedVertex {
         // Numbers so small are no places to the triangulation.
         let number = |x: f64| match libm::ldexp(x, self.exponent) {
             x if x.abs() < MIN_ALLOWED_VALUE => 0.0,
@@ -164,8 +185,11 @@ impl ConstrainedNet {
         };
         let place = Point2::new(number(place.x), number(place.y));
         let n_before = self.net.num_vertices();
-        let vertex = self.net.insert(PlanarVertex { place, index: index as u32 }).ok()?;
-        (n_before < self.net.num_vertices()).then_some(vertex)
+        match self.net.insert(PlanarVertex { place, index: index as u32 }) {
+            Ok(vertex) if n_before < self.net.num_vertices() => InsertedVertex::New(vertex),
+            Ok(vertex) => InsertedVertex::Known(vertex),
+            Err(_) => InsertedVertex::NoPlace,
+        }
     }
 }
 

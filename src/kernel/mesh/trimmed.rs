@@ -13,29 +13,27 @@ use glam::{DVec2, DVec3};
 use super::{
     Mesh, TessellationOptions,
     bend::DerivativeBounds,
-    chord::chord_deviation,
     even_plane::EvenPlane,
+    legs::{SharedLine, at, between},
+    pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, Side, bezier,
-    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
+    CountError, GeomError, NurbsCurve, NurbsSurface, RegionError, Side,
+    ceiling::TESSELLATION_ROUNDS,
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
-
-/// By how much more than a leg's box must be allowed, for the triangles on it.
-const LEG_ROOM: f64 = 1.3;
 
 /// Rounds of vertices in the middle of triangles; each leaves a third of the way to a leg.
 const MIDDLE_ROUNDS: usize = 24;
 
+/// Within how many distances of welding of a vertex the surface is between parameters that are its place.
+const WITHIN_PLACE: f64 = 4.0;
+
 /// Loops of one part, the outer one first; each by its arcs in the plane z = 0 of u and v.
 pub(crate) type PartLoops = Vec<Vec<NurbsCurve>>;
-
-/// Where an arc runs along a line that parts share: which parameter is constant, and the line's number.
-type SharedLine = (usize, u64);
 
 /// A place on the border of a part: at which parameters of the surface, and where it is.
 #[derive(Clone, Copy, Debug)]
@@ -46,23 +44,32 @@ pub(crate) struct BorderVertex {
 
 /// Parts of a surface that become triangles.
 pub(crate) struct PartsTessellation<'a> {
-    sheet: SurfacePatch<'a>,
+    pub(super) sheet: SurfacePatch<'a>,
     parts: &'a [PartLoops],
-    is_closed: [bool; 2],
+    pub(super) is_closed: [bool; 2],
     /// Bounds of the lengths of Su and of Sv.
-    first: [f64; 2],
+    pub(super) first: [f64; 2],
     /// The limits of triangles.
-    cells: Cells,
+    pub(super) cells: Cells,
     /// What legs may leave out.
-    leg_tolerance: f64,
-    most: usize,
+    pub(super) leg_tolerance: f64,
+    /// Within which distance places are one.
+    weld: f64,
+    pub(super) most: usize,
+    /// Whether a mesh showed that the cells keep to all limits.
+    is_settled: bool,
+    /// How many times nearer the limits are than they were given.
+    sharpness: f64,
+    /// How many times further than they may the normals of the last mesh turned.
+    last_excess: f64,
+    n_rounds: usize,
 }
 
 /// The mesh of parts of a surface, none of which goes over a line along which its derivative jumps;
 /// `is_closed` tells which pairs of its edges are one.
 ///
 /// # Errors
-/// Those of [`PartsTessellation::settled`].
+/// Those of [`PartsTessellation::settled`]; [`RegionError::Unclear`] where arcs come too near one another.
 pub(crate) fn tessellate_parts(
     surface: &NurbsSurface,
     parts: &[PartLoops],
@@ -70,22 +77,23 @@ pub(crate) fn tessellate_parts(
     options: &TessellationOptions,
     most: usize,
 ) -> Result<Mesh, GeomError> {
-    Ok(PartsTessellation::settled(surface, parts, is_closed, options, most)?.1)
+    PartsTessellation::settled(surface, parts, is_closed, options, most)?.1
 }
 
 impl<'a> PartsTessellation<'a> {
-    /// With cells that keep to all limits, and the mesh that shows it.
+    /// With cells that keep to all limits, and the mesh that shows it; or as far as is known without neighbours,
+    /// and [`RegionError::Unclear`] where arcs come too near one another.
     ///
     /// # Errors
     /// [`crate::InputError::NotPositive`] for a limit that allows nothing; [`CountError::TooManyVertices`];
-    /// [`crate::MeshError::BelowRounding`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    /// [`crate::MeshError::BelowRounding`].
     pub(crate) fn settled(
         surface: &'a NurbsSurface,
         parts: &'a [PartLoops],
         is_closed: [bool; 2],
         options: &TessellationOptions,
         most: usize,
-    ) -> Result<(Self, Mesh), GeomError> {
+    ) -> Result<(Self, Result<Mesh, GeomError>), GeomError> {
         options.check()?;
         check_rounding(options.tolerance, surface.bounds().magnitude())?;
         // What legs leave out, and what triangles do.
@@ -98,21 +106,63 @@ impl<'a> PartsTessellation<'a> {
         let sheet = SurfacePatch::of_spline(surface, triangles);
         let limits = sheet.limits(options);
         let cells = sheet.cells(limits.sharpened(1.0), most)?;
-        let mut own = Self { sheet, parts, is_closed, first, cells, leg_tolerance, most };
-        let (mut sharpness, mut last) = (1.0, f64::INFINITY);
-        for round in 1.. {
+        let mut own = Self {
+            sheet,
+            parts,
+            is_closed,
+            first,
+            cells,
+            leg_tolerance,
+            weld: options.weld,
+            most,
+            is_settled: false,
+            sharpness: 1.0,
+            last_excess: f64::INFINITY,
+            n_rounds: 0,
+        };
+        loop {
             GeomError::go_on(1)?;
-            let mesh = own.mesh()?;
-            let excess = widest_turn(&mesh, options.tolerance) / options.angle;
-            let is_done = !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * last <= excess;
-            if is_done || TESSELLATION_ROUNDS <= round {
-                return Ok((own, mesh));
+            let mesh = match own.mesh() {
+                // Vertices of neighbours may keep the legs apart.
+                Err(error @ GeomError::Region(RegionError::Unclear { .. })) => {
+                    return Ok((own, Err(error)));
+                }
+                mesh => mesh?,
+            };
+            if !own.sharpen(&mesh, options)? {
+                own.is_settled = true;
+                return Ok((own, Ok(mesh)));
             }
-            sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-            own.cells = own.sheet.cells(limits.sharpened(sharpness), most)?;
-            last = excess;
         }
-        unreachable!("rounds end")
+    }
+
+    /// Whether a mesh showed that its cells keep to all limits.
+    pub(crate) const fn is_settled(&self) -> bool {
+        self.is_settled
+    }
+
+    /// Makes cells smaller for a mesh in which normals turn further than they may; false where they are small
+    /// enough, or smaller ones gain nothing.
+    ///
+    /// # Errors
+    /// [`CountError::TooManyVertices`].
+    pub(crate) fn sharpen(
+        &mut self,
+        mesh: &Mesh,
+        options: &TessellationOptions,
+    ) -> Result<bool, GeomError> {
+        self.n_rounds += 1;
+        let excess = widest_turn(mesh, options.tolerance) / options.angle;
+        let is_done =
+            !options.limits_angle() || excess <= 1.0 || LEAST_GAIN * self.last_excess <= excess;
+        if is_done || TESSELLATION_ROUNDS <= self.n_rounds {
+            return Ok(false);
+        }
+        self.sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
+        let limits = self.sheet.limits(options).sharpened(self.sharpness);
+        self.cells = self.sheet.cells(limits, self.most)?;
+        self.last_excess = excess;
+        Ok(true)
     }
 
     /// The arcs of all loops.
@@ -148,7 +198,7 @@ impl<'a> PartsTessellation<'a> {
     /// The mesh whose border has these vertices along each arc, that at its end left out.
     ///
     /// # Errors
-    /// [`CountError::TooManyVertices`]; [`crate::RegionError::Unclear`] where arcs come too near one another.
+    /// [`CountError::TooManyVertices`]; [`RegionError::Unclear`] where arcs come too near one another.
     pub(crate) fn mesh_within(
         &self,
         mut along_arcs: impl Iterator<Item = Vec<BorderVertex>>,
@@ -159,9 +209,53 @@ impl<'a> PartsTessellation<'a> {
                 .iter()
                 .map(|arcs| along_arcs.by_ref().take(arcs.len()).flatten().collect())
                 .collect();
+            let loops = without_folds(self.with_common_places(loops));
             self.add(&loops, &mut mesh)?;
         }
         Ok(mesh.without_strays())
+    }
+
+    /// The pairs of legs that cross, where the border has these vertices along each arc, that at its end left out:
+    /// for each the number of its arc and its own along that.
+    pub(crate) fn crossing_legs(
+        &self,
+        mut along_arcs: impl Iterator<Item = Vec<BorderVertex>>,
+    ) -> Vec<[(usize, usize); 2]> {
+        let net = EvenPlane { lines: &self.cells.lines };
+        let (mut pairs, mut n_arcs) = (Vec::new(), 0);
+        for part in self.parts {
+            let (mut loops, mut legs) = (Vec::new(), Vec::new());
+            for arcs in part {
+                let mut polygon = Vec::new();
+                for vertices in along_arcs.by_ref().take(arcs.len()) {
+                    legs.extend((0..vertices.len()).map(|leg| (n_arcs, leg)));
+                    polygon.extend(vertices);
+                    n_arcs += 1;
+                }
+                loops.push(polygon);
+            }
+            let place = |vertex: &BorderVertex| net.place(vertex.parameters);
+            let polygons: Vec<Vec<DVec2>> = self
+                .with_common_places(loops)
+                .iter()
+                .map(|polygon| polygon.iter().map(place).collect())
+                .collect();
+            pairs.extend(crossing_sides(&polygons).into_iter().map(|pair| pair.map(|k| legs[k])));
+        }
+        pairs
+    }
+
+    /// Vertices at one point of space get one place, unless a seam is between them.
+    fn with_common_places(&self, mut loops: Vec<Vec<BorderVertex>>) -> Vec<Vec<BorderVertex>> {
+        let is_one = |[one, other]: [DVec2; 2], point: DVec3| {
+            let is_near = |share: f64| {
+                let between = self.point(one.lerp(other, share));
+                between.distance(point) <= WITHIN_PLACE * self.weld
+            };
+            [0.25, 0.5, 0.75].into_iter().all(is_near)
+        };
+        with_common_places(&mut loops, is_one);
+        loops
     }
 
     /// Where the vertices along each arc stand that keep to the limits: its parameters, its ends among them.
@@ -177,54 +271,11 @@ impl<'a> PartsTessellation<'a> {
         BorderVertex { parameters, point: self.point(parameters) }
     }
 
-    /// The line of constant parameter along which an arc runs that both of its sides share.
-    fn shared_line(&self, arc: &NurbsCurve) -> Option<SharedLine> {
-        let points = arc.points();
-        let is = |a: f64, b: f64| (a - b).abs() <= 0.0;
-        (0..2).find_map(|across| {
-            let value = points[0][across];
-            let domain = self.sheet.domains()[across];
-            let is_end = is(value, domain.start()) || is(value, domain.end());
-            let is_seam = self.is_closed[across] && is_end;
-            let is_crease = self.sheet.breaks[across].iter().any(|line| is(line.at, value));
-            let is_line = points.iter().all(|point| is(point[across], value));
-            let key = if is_seam { domain.start() } else { value };
-            (is_line && (is_seam || is_crease)).then_some((across, key.to_bits()))
-        })
-    }
-
-    /// Parameters of an arc between which legs may run, its ends among them.
-    fn stops(&self, arc: &NurbsCurve) -> Result<Vec<f64>, GeomError> {
-        let most = self.most;
-        let stretch = DVec3::new(self.first[0], self.first[1], 0.0);
-        let stretched = arc.transformed(&glam::DAffine3::from_scale(stretch));
-        let mut stops = vec![arc.domain().start()];
-        for span in arc.knots().spans() {
-            let piece = bezier::piece(arc.knots(), stretched.control_points(), span);
-            let mut todo = vec![(piece, arc.knots().span_interval(span), 0)];
-            while let Some((piece, interval, n_halvings)) = todo.pop() {
-                GeomError::go_on(1)?;
-                let ends = [interval.start(), interval.end()].map(|t| at(arc, t));
-                let is_near = chord_deviation(&piece, [piece[0], piece[piece.len() - 1]]);
-                let fits = is_near <= self.leg_tolerance && leg_fits(&self.cells, ends);
-                if fits || PARAMETER_HALVINGS <= n_halvings {
-                    stops.push(interval.end());
-                } else {
-                    let (left, right) = bezier::cut_at(&piece, 0.5);
-                    let [before, behind] = interval.halves();
-                    todo.extend([(right, behind, n_halvings + 1), (left, before, n_halvings + 1)]);
-                }
-                let got = stops.len() + todo.len();
-                if most < got {
-                    return Err(CountError::TooManyVertices { got, most }.into());
-                }
-            }
-        }
-        Ok(stops)
-    }
-
     /// Adds the triangles of one part, whose loops are polygons.
     fn add(&self, loops: &[Vec<BorderVertex>], mesh: &mut Mesh) -> Result<(), GeomError> {
+        if loops.is_empty() {
+            return Ok(());
+        }
         let (cells, most) = (&self.cells, self.most);
         let net = EvenPlane { lines: &cells.lines };
         let mut rings: Vec<BorderPolygon> = Vec::new();
@@ -248,7 +299,7 @@ impl<'a> PartsTessellation<'a> {
             triangles_with(&rings, inside, is_fine, limits).map_err(|vertex| {
                 let vertex = loops.iter().flatten().nth(vertex);
                 let point = vertex.map_or(DVec3::ZERO, |vertex| vertex.point);
-                crate::RegionError::Unclear { point }
+                RegionError::Unclear { point }
             })?;
         let inside = inside.iter().map(|&place| self.vertex_at(net.parameters(place)));
         let own: Vec<BorderVertex> = loops.iter().flatten().copied().chain(inside).collect();
@@ -291,33 +342,4 @@ impl<'a> PartsTessellation<'a> {
         let sides = [0, 1].map(|i| if place[i] <= middle[i] { Side::Right } else { Side::Left });
         self.sheet.spline.sample_beside(place.to_array(), sides).1
     }
-}
-
-/// The parameters of the surface at one of an arc.
-fn at(arc: &NurbsCurve, t: f64) -> DVec2 {
-    arc.point_at(t).truncate()
-}
-
-/// The places on a line along which an arc runs, from its start up to before its end.
-fn between(arc: &NurbsCurve, along: usize, places: &[f64], slack: f64) -> Vec<DVec2> {
-    let (start, end) = (arc.start().truncate(), arc.end().truncate());
-    let (from, to) = (start[along], end[along]);
-    let (low, high) = (from.min(to) + slack, from.max(to) - slack);
-    let inner = places.iter().copied().filter(|&t| low < t && t < high);
-    let mut inner: Vec<f64> = inner.collect();
-    if to < from {
-        inner.reverse();
-    }
-    let place = |t: f64| if along == 0 { DVec2::new(t, start.y) } else { DVec2::new(start.x, t) };
-    std::iter::once(start).chain(inner.into_iter().map(place)).collect()
-}
-
-/// Whether limits allow a leg, and triangles on it.
-fn leg_fits(cells: &Cells, [a, b]: [DVec2; 2]) -> bool {
-    let (low, high) = (a.min(b), a.max(b));
-    let wider = |low: f64, high: f64| {
-        let room = 0.5 * (LEG_ROOM - 1.0) * (high - low);
-        [low - room, high + room]
-    };
-    cells.allow([wider(low.x, high.x), wider(low.y, high.y)])
 }

@@ -26,7 +26,8 @@ impl Solid {
     ///
     /// Its faces are the parts of the solid's faces there, and plane faces within the rims that the plane leaves.
     /// Each side is judged by itself: that these close it shows in its volume, which must be what the flux through
-    /// the solid's faces there tells, to which the plane adds nothing.
+    /// the solid's faces there tells, to which the plane adds nothing. Where that fails and an edge runs along the
+    /// plane within the tolerance, the cut is that of the plane through it.
     ///
     /// ```
     /// use std::{f64::consts::PI, sync::Arc};
@@ -41,9 +42,21 @@ impl Solid {
     /// ```
     ///
     /// # Errors
-    /// [`SolidError::UncertainCut`] where the volume is another; those of [`Face::split`] but for a plane that
+    /// [`SolidError::UncertainCut`] where the volume is another; [`SolidError::ThinCut`] where an edge is hardly
+    /// further from the plane than the tolerance; those of [`Face::split`] but for a plane that
     /// misses, and of [`Self::capped`].
     pub fn cut(
+        &self,
+        plane: Frame,
+        is_above: bool,
+        tolerance: Tolerance,
+    ) -> Result<Option<Self>, GeomError> {
+        self.at_plane_or_rim(plane, tolerance, |plane| self.side(plane, is_above, tolerance))
+    }
+
+    /// # Errors
+    /// Those of [`Self::cut`].
+    fn side(
         &self,
         plane: Frame,
         is_above: bool,
@@ -100,6 +113,12 @@ impl Solid {
     /// Those of [`Face::split`] but for a plane that misses, of [`Self::capped`] but for those of bodies, and of
     /// [`Region::union`].
     pub fn section(&self, plane: Frame, tolerance: Tolerance) -> Result<Vec<Region>, GeomError> {
+        self.at_plane_or_rim(plane, tolerance, |plane| self.regions_in(plane, tolerance))
+    }
+
+    /// # Errors
+    /// Those of [`Self::section`].
+    fn regions_in(&self, plane: Frame, tolerance: Tolerance) -> Result<Vec<Region>, GeomError> {
         let FacesBeside { sides: [below, above], has_face_within, .. } =
             self.faces_beside(plane, tolerance)?;
         let caps = |faces: &[Face]| Ok::<_, GeomError>(plane_caps(faces, tolerance)?.regions);

@@ -67,6 +67,12 @@ pub enum SolidError {
         few_digits(*missing), few_digits(*allowed)
     )]
     UncertainCut { missing: f64, allowed: f64 },
+    /// A plane beside an edge that runs along it.
+    #[error(
+        "the plane passes {} beside the edge at {}, which runs along it there: what it cuts off is as thin as the tolerance {}",
+        few_digits(*thickness), place(*point), few_digits(*tolerance)
+    )]
+    ThinCut { point: DVec3, thickness: f64, tolerance: f64 },
     /// A side of a plane that touches itself in the plane.
     #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },

@@ -1,10 +1,12 @@
 //! Solids: faces that close, with an inside.
 //!
 //! This file has the type, its checking constructor and what can be read off it; `nesting` which shells lie in
-//! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it, `sweep` regions
+//! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it,
+//! `beside_rim` planes that nearly touch an edge, `sweep` regions
 //! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
 //! that they share, `place` where points are, `contents` what it is made of.
 
+mod beside_rim;
 mod caps;
 mod contents;
 mod cut;

@@ -189,3 +189,8 @@ pub(crate) const QUARTER_SLACK: f64 = 0.35;
 ///
 /// Larger takes short edges away; smaller keeps what rounding leaves of two vertices that are one.
 pub(crate) const VERTEX_REACH: f64 = 4.0;
+
+/// A cut that fails is told to be too thin where an edge runs along the plane within so many tolerances of it.
+///
+/// Larger blames slivers for what else may fail; smaller tells open rims where the sides of slivers are one.
+pub(crate) const THIN_CUT: f64 = 8.0;

@@ -8,6 +8,9 @@ use crate::{Bounds, Frame, GeomError, NurbsCurve, Tolerance, box_tree::BoxTree, 
 /// Places of each edge where its neighbour is looked for.
 pub(super) const N_PLACES: usize = 24;
 
+/// At which fractions of a part of an edge its neighbour is looked for: at the first unless several are there.
+const WITHIN_PART: [f64; 4] = [0.5, 0.1, 0.9, 0.3];
+
 /// The least cosine of the angle between edges that run along one another, and do not just end at one corner.
 const RUN_BESIDE: f64 = 0.9;
 
@@ -85,14 +88,10 @@ impl FaceBorderEdge {
         ends.chain(parameters.map(|t| self.curve.point_at(t))).collect()
     }
 
-    /// Places between its ends, each a point and the way of the edge there.
-    pub(super) fn places(&self) -> impl Iterator<Item = (DVec3, DVec3)> {
-        let domain = self.curve.domain();
-        (0..N_PLACES).map(move |k| {
-            let t = domain.at((k as f64 + 0.5) / N_PLACES as f64);
-            let derivatives = self.curve.derivatives_at(t, 1);
-            (derivatives[0], derivatives[1])
-        })
+    /// The point at a fraction of it, and its way there.
+    fn place(&self, fraction: f64) -> (DVec3, DVec3) {
+        let derivatives = self.curve.derivatives_at(self.curve.domain().at(fraction), 1);
+        (derivatives[0], derivatives[1])
     }
 }
 
@@ -102,11 +101,33 @@ impl<'e> NeighbourSearch<'e> {
         Self { edges, boxes, distance }
     }
 
-    /// The face of an edge, and that on the other side of a place of it; none where there is none.
+    /// The face of an edge, and that on the other side in one of [`N_PLACES`] parts of it; else a place where there
+    /// is none.
+    ///
+    /// Where edges run into a common place along one tangent several are beside it, and of others of the same part
+    /// one is asked.
     ///
     /// # Errors
-    /// [`FaceError::CrowdedShell`] of several.
+    /// [`FaceError::CrowdedShell`] where several are beside all of them.
     pub(super) fn neighbour(
+        &self,
+        own: usize,
+        part: usize,
+    ) -> Result<Result<FacePair, DVec3>, GeomError> {
+        let mut crowd = None;
+        for within in WITHIN_PART {
+            let place = self.edges[own].place((part as f64 + within) / N_PLACES as f64);
+            match self.neighbour_at(own, place) {
+                Ok(found) => return Ok(found.ok_or(place.0)),
+                Err(GeomError::Ended) => return Err(GeomError::Ended),
+                Err(error) => crowd = crowd.or(Some(error)),
+            }
+        }
+        let Some(error) = crowd else { unreachable!("a part has places") };
+        Err(error)
+    }
+
+    fn neighbour_at(
         &self,
         own: usize,
         (point, along): (DVec3, DVec3),

@@ -11,13 +11,20 @@ use glam::DVec3;
 
 use super::Face;
 use crate::{
-    Bounds, CountError, GeomError, Mesh, NurbsCurve, Surface, TessellationOptions,
+    Bounds, CountError, GeomError, Mesh, NurbsCurve, RegionError, Surface, TessellationOptions,
+    ceiling::CROSSING_ROUNDS,
     distance_to_polyline,
-    mesh::{BorderVertex, PartLoops, PartsTessellation, PlacesAlong, tessellate_through, welded},
+    mesh::{
+        BorderVertex, PartLoops, PartsTessellation, PlacesAlong, drop_opposite_triangles,
+        tessellate_through, welded,
+    },
     sorting::sort_by,
     tessellate_all, tessellation_parameters,
     tolerance::PARAMETER_RELATIVE,
 };
+
+/// Nearer to an end of a leg than this part of it none is divided at the foot of a vertex.
+const LEG_MARGIN: f64 = 0.02;
 
 /// A surface, or a part of one, that becomes triangles.
 ///
@@ -94,43 +101,108 @@ pub(crate) fn joined_meshes(
         let surfaces = tessellate_all(surfaces, options, most)?;
         return Ok(JoinedMeshes { surfaces, faces: Vec::new() });
     }
-    // Curves of parameters miss what they were made of by up to the tolerance on either side.
-    let apart = 2.0 * options.weld;
     let loops = faces.iter().map(|face| face.part_loops(options.weld));
     let loops: Vec<Vec<PartLoops>> = loops.collect::<Result<_, _>>()?;
     let mut tessellations = Vec::with_capacity(loops.len());
-    let (mut arcs, mut points) = (Vec::new(), Vec::new());
+    let mut arcs = Vec::with_capacity(loops.len());
     for (face, loops) in faces.iter().zip(&loops) {
         let tessellation = face.tessellation(loops, options, most)?;
-        arcs.extend(MeshedArc::all(face, &tessellation, loops, options, most, &mut points)?);
+        arcs.push(MeshedArc::all(face, &tessellation, loops, options, most)?);
         tessellations.push(tessellation);
+    }
+    for _ in 0..CROSSING_ROUNDS {
+        match with_common_vertices(surfaces, &tessellations, &mut arcs, options, most) {
+            Err(GeomError::Region(RegionError::Unclear { point })) => {
+                if !divide_crossing_legs(&tessellations, &mut arcs, options.weld) {
+                    return Err(RegionError::Unclear { point }.into());
+                }
+            }
+            found => {
+                let found = found?;
+                let mut is_done = true;
+                for (i, mesh) in found.faces.iter().enumerate() {
+                    if !tessellations[i].is_settled() && tessellations[i].sharpen(mesh, options)? {
+                        is_done = false;
+                        let finer = tessellations[i].all_stops()?;
+                        for (arc, finer) in arcs[i].iter_mut().zip(finer) {
+                            arc.want(finer);
+                        }
+                    }
+                }
+                if is_done {
+                    return Ok(found);
+                }
+            }
+        }
+    }
+    with_common_vertices(surfaces, &tessellations, &mut arcs, options, most)
+}
+
+/// Meshes whose borders have the vertices that arcs want, and those of one another where they run together.
+fn with_common_vertices(
+    surfaces: &[Surface],
+    tessellations: &[PartsTessellation<'_>],
+    arcs: &mut [Vec<MeshedArc<'_>>],
+    options: &TessellationOptions,
+    most: usize,
+) -> Result<JoinedMeshes, GeomError> {
+    let mut points = Vec::new();
+    for (tessellation, arcs) in tessellations.iter().zip(&mut *arcs) {
+        arcs.iter_mut().for_each(|arc| arc.place(tessellation, &mut points));
         if most < points.len() {
             return Err(CountError::TooManyVertices { got: points.len(), most }.into());
         }
     }
-
+    // Curves of parameters miss what they were made of by up to the tolerance on either side.
+    let apart = 2.0 * options.weld;
     // Let the surfaces have vertices there, and the arcs those of the surfaces and of one another.
     let limits = TessellationOptions { weld: apart, ..*options };
     let (surfaces, on_edges) = tessellate_through(surfaces, &points, &limits, most)?;
     let n_before = on_edges.len() as u32;
     let points = [on_edges, points].concat();
     let first = welded(&points, apart);
-    for arc in &mut arcs {
+    for arc in arcs.iter_mut().flatten() {
         arc.weld(&first, n_before);
     }
     let known = PlacesAlong::new(&points, |place| first[place as usize] == place);
-    for arc in &mut arcs {
+    for arc in arcs.iter_mut().flatten() {
         arc.take_others(&points, &known, [options.tolerance + apart, apart])?;
+        arc.find_vertices(&points);
     }
-
-    let mut arcs = arcs.iter();
-    let mut faces = Vec::with_capacity(loops.len());
-    for (tessellation, loops) in tessellations.iter().zip(&loops) {
-        let n_arcs = loops.iter().flatten().map(Vec::len).sum();
-        let own = arcs.by_ref().take(n_arcs);
-        faces.push(tessellation.mesh_within(own.map(|arc| arc.vertices(&points)))?);
-    }
+    let mesh = |(tessellation, arcs): (&PartsTessellation<'_>, &mut Vec<MeshedArc<'_>>)| {
+        tessellation.mesh_within(arcs.iter().map(|arc| arc.vertices.clone()))
+    };
+    let mut faces =
+        tessellations.iter().zip(arcs).map(mesh).collect::<Result<Vec<_>, GeomError>>()?;
+    drop_opposite_triangles(&mut faces, apart);
     Ok(JoinedMeshes { surfaces, faces })
+}
+
+/// Lets arcs have more vertices where their legs cross: at the places of one that are nearest to those of the other,
+/// else in the middle. False where none cross.
+fn divide_crossing_legs(
+    tessellations: &[PartsTessellation<'_>],
+    arcs: &mut [Vec<MeshedArc<'_>>],
+    distance: f64,
+) -> bool {
+    let mut is_any = false;
+    for (tessellation, arcs) in tessellations.iter().zip(arcs) {
+        let pairs = tessellation.crossing_legs(arcs.iter().map(|arc| arc.vertices.clone()));
+        for pair in pairs {
+            let ends = pair.map(|(arc, leg)| arcs[arc].leg(leg));
+            let mut more = [0, 1].map(|i| {
+                let (arc, points) = (&arcs[pair[i].0], ends[1 - i].map(|end| end.1));
+                arc.feet(ends[i].map(|end| end.0), points, distance)
+            });
+            if more.iter().all(Vec::is_empty) {
+                more = ends.map(|[(from, _), (to, _)]| vec![from.midpoint(to)]);
+            }
+            for (more, (arc, _)) in more.into_iter().zip(pair) {
+                is_any |= arcs[arc].want(more);
+            }
+        }
+    }
+    is_any
 }
 
 /// An arc of a face, and the vertices along it.
@@ -140,8 +212,14 @@ struct MeshedArc<'a> {
     /// In space, its parameters at the same fractions of its domain.
     curve: NurbsCurve,
     bounds: Bounds,
+    /// Parameters of the arc at which it has vertices whatever others have, in their order.
+    wanted: Vec<f64>,
     /// Parameters of the arc in their order, each with the number of its vertex.
     stops: Vec<(f64, u32)>,
+    /// Its vertices but the last.
+    vertices: Vec<BorderVertex>,
+    /// Where it ends.
+    end: DVec3,
 }
 
 /// Places along an arc of parameters with more between them, so that the arc in space is nowhere further than the
@@ -166,28 +244,69 @@ fn with_chords(
 }
 
 impl<'a> MeshedArc<'a> {
-    /// The arcs of a face with the vertices that it needs, whose points come behind the others.
+    /// The arcs of a face with the places at which it needs vertices.
     fn all(
         face: &Face,
         tessellation: &PartsTessellation<'_>,
         loops: &'a [PartLoops],
         options: &TessellationOptions,
         most: usize,
-        points: &mut Vec<DVec3>,
     ) -> Result<Vec<Self>, GeomError> {
         let mut arcs = Vec::new();
         let stops = tessellation.all_stops()?;
         for (arc, stops) in loops.iter().flatten().flatten().zip(stops) {
             let curve = face.lifted_spline(arc, options.weld)?;
-            let stops = with_chords(arc, &curve, stops, options.tolerance, most)?;
-            let at = |&t: &f64| tessellation.vertex_at(arc.point_at(t).truncate()).point;
-            let first = points.len() as u32;
-            points.extend(stops.iter().map(at));
-            let bounds = Bounds::of(points[first as usize..].iter().copied());
-            let Some(bounds) = bounds else { unreachable!("an arc has ends") };
-            arcs.push(Self { arc, curve, bounds, stops: stops.into_iter().zip(first..).collect() });
+            let wanted = with_chords(arc, &curve, stops, options.tolerance, most)?;
+            let bounds = curve.bounds();
+            let (stops, vertices, end) = (Vec::new(), Vec::new(), curve.end());
+            arcs.push(Self { arc, curve, bounds, wanted, stops, vertices, end });
         }
         Ok(arcs)
+    }
+
+    /// Gives it the vertices that it wants and no others; their points come behind the others.
+    fn place(&mut self, tessellation: &PartsTessellation<'_>, points: &mut Vec<DVec3>) {
+        let at = |&t: &f64| tessellation.vertex_at(self.arc.point_at(t).truncate()).point;
+        let first = points.len() as u32;
+        points.extend(self.wanted.iter().map(at));
+        let own = points[first as usize..].iter().copied();
+        let Some(bounds) = Bounds::of(own) else { unreachable!("an arc has ends") };
+        self.bounds = bounds;
+        self.stops = self.wanted.iter().copied().zip(first..).collect();
+    }
+
+    /// Lets it have vertices at more parameters; false where it has them.
+    fn want(&mut self, more: Vec<f64>) -> bool {
+        let n_before = self.wanted.len();
+        let domain = self.arc.domain();
+        let least = PARAMETER_RELATIVE * domain.length();
+        let is_apart =
+            |t: f64, wanted: &[f64]| wanted.iter().all(|&other| least < (t - other).abs());
+        for t in more {
+            if is_apart(t, &self.wanted) {
+                self.wanted.push(t);
+            }
+        }
+        self.wanted.sort_by(f64::total_cmp);
+        n_before < self.wanted.len()
+    }
+
+    /// The parameters and points of the ends of a leg.
+    fn leg(&self, leg: usize) -> [(f64, DVec3); 2] {
+        let point = |i: usize| self.vertices.get(i).map_or(self.end, |vertex| vertex.point);
+        [leg, leg + 1].map(|i| (self.stops[i].0, point(i)))
+    }
+
+    /// The parameters between those of a leg, not next to them, at which it is nearest to points.
+    fn feet(&self, [from, to]: [f64; 2], points: [DVec3; 2], distance: f64) -> Vec<f64> {
+        let domain = self.arc.domain();
+        let foot = |point: DVec3| {
+            let foot = self.curve.closest(point, distance);
+            domain.at(self.curve.domain().fraction_of(foot.parameter))
+        };
+        let margin = LEG_MARGIN * (to - from);
+        let is_between = |t: &f64| from + margin < *t && *t < to - margin;
+        points.into_iter().map(foot).filter(is_between).collect()
     }
 
     /// Makes vertices at one place one, of numbers that `n_before` others come before; an arc that is a point
@@ -254,13 +373,14 @@ impl<'a> MeshedArc<'a> {
         Ok(())
     }
 
-    /// Its vertices but the last.
-    fn vertices(&self, points: &[DVec3]) -> Vec<BorderVertex> {
-        let stops = &self.stops[..self.stops.len() - 1];
+    /// Finds its vertices at its stops.
+    fn find_vertices(&mut self, points: &[DVec3]) {
+        let (last, stops) = (self.stops[self.stops.len() - 1], &self.stops[..self.stops.len() - 1]);
         let vertex = |&(t, vertex): &(f64, u32)| BorderVertex {
             parameters: self.arc.point_at(t).truncate(),
             point: points[vertex as usize],
         };
-        stops.iter().map(vertex).collect()
+        self.vertices = stops.iter().map(vertex).collect();
+        self.end = points[last.1 as usize];
     }
 }

@@ -174,11 +174,11 @@ pub(crate) fn rims(
     let mut rims = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
         let (mut n_open, mut first) = (0, None);
-        for place in edge.places() {
+        for part in 0..N_PLACES {
             GeomError::go_on(1)?;
-            if search.neighbour(i, place)?.is_none() {
+            if let Err(point) = search.neighbour(i, part)? {
                 n_open += 1;
-                first.get_or_insert(place.0);
+                first.get_or_insert(point);
             }
         }
         match first {
@@ -203,11 +203,11 @@ fn distance_for(faces: &[Face], tolerance: Tolerance) -> f64 {
 fn pairs(edges: &[FaceBorderEdge], distance: f64) -> Result<Vec<FacePair>, GeomError> {
     let search = NeighbourSearch::new(edges, distance);
     let mut pairs = Vec::with_capacity(N_PLACES * edges.len());
-    for (i, edge) in edges.iter().enumerate() {
-        for place in edge.places() {
+    for i in 0..edges.len() {
+        for part in 0..N_PLACES {
             GeomError::go_on(1)?;
-            let pair = search.neighbour(i, place)?;
-            pairs.push(pair.ok_or_else(|| search.no_neighbour(i, place.0))?);
+            let pair = search.neighbour(i, part)?;
+            pairs.push(pair.map_err(|point| search.no_neighbour(i, point))?);
         }
     }
     Ok(pairs)

@@ -151,6 +151,15 @@ impl Face {
             true => None,
             false => match self.divided_along(&arcs, &vec![0; arcs.len()], 1, tolerance) {
                 Err(GeomError::Face(FaceError::Misses { .. })) => None,
+                // What touches the border there divides nothing.
+                Err(GeomError::Face(FaceError::EndsInside { point }))
+                    if self.is_on_border(
+                        self.plane.surface.closest(point).parameters,
+                        tolerance,
+                    )? =>
+                {
+                    None
+                }
                 found => Some(found?),
             },
         };

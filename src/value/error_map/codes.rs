@@ -87,6 +87,7 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::UnclearNesting { .. }
         | SolidError::UnmatchedEdge { .. }
         | SolidError::UnclearSide { .. }
+        | SolidError::ThinCut { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }

@@ -76,6 +76,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UncertainCut { .. } | SolidError::TouchesPlane { .. } => {
             "move the plane by more than the tolerance"
         }
+        SolidError::ThinCut { .. } => {
+            "move the plane through the edge or clearly away from it, or state a smaller `tolerance` at the top of the script"
+        }
         SolidError::OpenRim { .. } => "give the surfaces that are missing; `cap` closes whole rims",
     };
     hint.to_owned()
