@@ -107,21 +107,30 @@ impl KnotVector {
             self.slopes_at(span, t, &mut values, &mut slopes);
             return (values, slopes);
         }
-        let around = NearbyKnots { t, lefts, widths };
-        let mut values: [f64; N] = from_fn(|r| if r == 0 { 1.0 } else { 0.0 });
-        if 2 < N {
-            values = around.raised::<1>(values);
-        }
-        if 3 < N {
-            values = around.raised::<2>(values);
-        }
-        let slopes = around.slopes(values);
-        let values = match N {
-            2 => around.raised::<1>(values),
-            3 => around.raised::<2>(values),
-            _ => around.raised::<3>(values),
+        NearbyKnots { t, lefts, widths }.basis()
+    }
+
+    /// `made` of the basis of degree p = N − 1 on a span and its first derivatives, at each of many parameters before
+    /// the span's end; whether they all are. The compiler computes several of them at once.
+    #[inline]
+    pub(crate) fn make_of_slopes<const N: usize>(
+        &self,
+        span: usize,
+        parameters: &[f64],
+        made: &mut [f64],
+        make: impl Fn(&[f64; N], &[f64; N]) -> f64,
+    ) -> bool {
+        let first = span + 2 - N;
+        let (Some(lefts), Some(widths)) =
+            (self.knots[first..].first_chunk(), self.reciprocals.widths[first..].first_chunk())
+        else {
+            unreachable!("a span of the domain has p knots on either side")
         };
-        (values, slopes)
+        for (made, &t) in made.iter_mut().zip(parameters) {
+            let (values, slopes) = NearbyKnots { t, lefts, widths }.basis();
+            *made = make(&values, &slopes);
+        }
+        parameters.iter().all(|&t| t < self.knots[span + 1])
     }
 }
 
@@ -151,6 +160,25 @@ impl<const N: usize> NearbyKnots<'_, N> {
             r if r == Q => moves(r - 1),
             _ => 0.0,
         })
+    }
+
+    /// Values and first derivatives for degree N − 1, before the end of the span.
+    #[inline]
+    fn basis(self) -> ([f64; N], [f64; N]) {
+        let mut values: [f64; N] = from_fn(|r| if r == 0 { 1.0 } else { 0.0 });
+        if 2 < N {
+            values = self.raised::<1>(values);
+        }
+        if 3 < N {
+            values = self.raised::<2>(values);
+        }
+        let slopes = self.slopes(values);
+        let values = match N {
+            2 => self.raised::<1>(values),
+            3 => self.raised::<2>(values),
+            _ => self.raised::<3>(values),
+        };
+        (values, slopes)
     }
 
     /// First derivatives for degree N − 1 from values of degree N − 2.

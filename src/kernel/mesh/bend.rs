@@ -8,7 +8,11 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{homothetic::HomotheticSections, quotient::SecondHulls};
+use super::{
+    homothetic::HomotheticSections,
+    quotient::SecondHulls,
+    reach::{Reach, in_lanes},
+};
 use crate::{
     Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, ceiling::WEIGHT_QUARTERINGS,
     frame::unit, homogeneous::place, side_by_side, tolerance::EXACT_RELATIVE,
@@ -80,15 +84,14 @@ fn refined(mut surface: NurbsSurface, new: &[Vec<f64>; 2]) -> NurbsSurface {
 
 /// The bounds of a surface of two curves over all pieces.
 fn of_homothetic(sections: &HomotheticSections, domains: &[Vec<Interval>; 2]) -> Grid<PieceBounds> {
-    let mut hulls: [Vec<DVec3>; 3] = Default::default();
-    let mut pieces = Vec::with_capacity(domains[0].len() * domains[1].len());
-    for (i, u) in domains[0].iter().enumerate() {
-        for (j, v) in domains[1].iter().enumerate() {
-            let middle = sections.second([i, j], &mut hulls);
-            pieces.push(PieceBounds::new(middle, &hulls, [u.length(), v.length()]));
-        }
-    }
-    Grid::from_rows_of(domains[1].len(), pieces)
+    let lengths = domains
+        .each_ref()
+        .map(|domains| -> Vec<f64> { domains.iter().map(|interval| interval.length()).collect() });
+    Grid::from_fn(lengths[0].len(), lengths[1].len(), |i, j| {
+        let middle = sections.middle([i, j]);
+        let second = |reaches: &mut [Reach; 3]| sections.add_second([i, j], reaches);
+        PieceBounds::new(middle, [lengths[0][i], lengths[1][j]], second)
+    })
 }
 
 /// The bounds of any other one, whose Bézier patches are those of `refined`.
@@ -144,7 +147,7 @@ fn plane(
     let mut sum = DVec3::ZERO;
     for (i, u) in ends[0].windows(2).enumerate() {
         for (j, v) in ends[1].windows(2).enumerate() {
-            let [along_u, along_v, ..] = pieces.get(i, j).middle;
+            let [along_u, along_v, ..] = pieces.row(i)[j].middle;
             sum += along_u.cross(along_v) * ((u[1] - u[0]) * (v[1] - v[0]));
         }
     }
@@ -195,24 +198,16 @@ impl PieceBounds {
         middle: [DVec3::ZERO; 5],
     };
 
-    /// Those of a piece of these lengths along u and along v, from vectors in whose hulls Suu, Suv and Svv are,
-    /// by fractions of it.
-    fn new(middle: [DVec3; 5], hulls: &[Vec<DVec3>; 3], [a, b]: [f64; 2]) -> Self {
+    /// Those of a piece of these lengths along u and along v; `add_second` adds vectors in whose hulls Suu, Suv
+    /// and Svv are, by fractions of it.
+    fn new(middle: [DVec3; 5], [a, b]: [f64; 2], add_second: impl FnOnce(&mut [Reach; 3])) -> Self {
         let normal = unit(middle[0].cross(middle[1]));
         let scales = [a * a, a * b, b * b];
-        let n = normal.unwrap_or(DVec3::ZERO);
-        let (mut second, mut across) = ([0.0_f64; 3], [0.0_f64; 3]);
-        let mut lift = [[f64::INFINITY, f64::NEG_INFINITY]; 3];
-        for (i, hull) in hulls.iter().enumerate() {
-            for &vector in hull {
-                let vector = vector / scales[i];
-                let along = n.dot(vector);
-                lift[i] = [lift[i][0].min(along), lift[i][1].max(along)];
-                across[i] = across[i].max((vector - n * along).length_squared());
-                second[i] = second[i].max(vector.length_squared());
-            }
-        }
-        let (second, across) = (second.map(f64::sqrt), across.map(f64::sqrt));
+        let mut reaches = scales.map(|scale| Reach::new(normal.unwrap_or(DVec3::ZERO), scale));
+        add_second(&mut reaches);
+        let second = reaches.each_ref().map(Reach::length);
+        let across = reaches.each_ref().map(Reach::across);
+        let lift = reaches.each_ref().map(Reach::lift);
         let spread = [0, 1].map(|i| 0.5 * (a * second[i] + b * second[i + 1]));
         let first = [0, 1].map(|i| middle[i].length() + spread[i]);
         Self { second, lift, across, normal, first, spread, middle }
@@ -245,5 +240,10 @@ fn of_positive(
     let at_middle = surface.derivatives_at(u, v, 2);
     let middle = [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2)].map(|(k, l)| at_middle.get(k, l));
     let center = place(net.get(net.n_rows() / 2, net.n_columns() / 2));
-    PieceBounds::new(middle, hulls.of(net, center), domains.map(Interval::length))
+    let hulls = hulls.of(net, center);
+    PieceBounds::new(middle, domains.map(Interval::length), |reaches| {
+        for (reach, hull) in reaches.iter_mut().zip(hulls) {
+            in_lanes(hull).for_each(|vectors| reach.add(vectors));
+        }
+    })
 }

@@ -8,15 +8,16 @@
 //!
 //! Of pieces that a cell touches together each second derivative counts where it is largest.
 
-use std::{f64::consts::PI, ops::Range, sync::Arc};
+use std::{array::from_fn, f64::consts::PI, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
 use super::{
     bend::{DerivativeBounds, PieceBounds},
+    compact_rules::CompactRules,
     form::ParameterBoxes,
-    near::near_rules,
-    rules::{CellRules, CompactRules},
+    near::bend_rules,
+    rules::PieceRules,
 };
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
@@ -111,10 +112,15 @@ impl TessellationOptions {
 pub(super) struct CellBounds {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
-    rules: Arc<Grid<CellRules>>,
+    rules: PieceRules,
     /// How many times longer a step along u is than one along v.
-    ratios: Grid<f64>,
+    ratios: Arc<Grid<f64>>,
+    /// The widths of cells, where somebody has asked for them already.
+    widths: Option<PieceWidths>,
 }
+
+/// Widths of cells for each piece along u and along v, and about how many cells that makes along each.
+pub(super) type PieceWidths = [(Vec<f64>, f64); 2];
 
 impl CellBounds {
     /// Those of a surface, with `breaks` of constant u and of constant v where derivatives jump.
@@ -125,10 +131,11 @@ impl CellBounds {
     ) -> Self {
         let bounds = |n_pieces| DerivativeBounds::of(surface, n_pieces, wanted.n_threads);
         let few = Self::of(bounds([FEW_PIECES; 2]), surface, wanted, breaks);
-        let n_pieces =
-            few.widths().map(|(_, n_cells)| (n_cells as usize).clamp(FEW_PIECES, CELL_PIECES));
+        let widths = few.widths();
+        let n_cells = widths.each_ref().map(|&(_, n_cells)| n_cells as usize);
+        let n_pieces = n_cells.map(|n_cells| n_cells.clamp(FEW_PIECES, CELL_PIECES));
         if n_pieces == [FEW_PIECES; 2] {
-            return few;
+            return Self { widths: Some(widths), ..few };
         }
         Self::of(bounds(n_pieces), surface, wanted, breaks)
     }
@@ -139,58 +146,54 @@ impl CellBounds {
         wanted: &TessellationOptions,
         breaks: [&[f64]; 2],
     ) -> Self {
+        let DerivativeBounds { ends, pieces, plane } = bends;
         let per_tolerance = 1.0 / (8.0 * wanted.tolerance);
-        let ratios = bends.pieces.map(ratio);
-        let lines = line_forms(&bends, breaks, per_tolerance / BORDER_SHARE);
-        let near = near_rules(&bends.pieces, &bends.ends, &ratios, breaks, wanted.tolerance);
-        let turns = wanted.limits_angle().then(|| turns(surface, &bends.ends));
+        let ratios = pieces.map(ratio);
+        let are_broken = breaks.iter().any(|breaks| !breaks.is_empty());
+        let lines =
+            are_broken.then(|| line_forms(&pieces, &ends, breaks, per_tolerance / BORDER_SHARE));
         let chord = 2.0 * libm::sin(0.5 * wanted.angle);
-        let may_fold = bends.plane.is_some_and(|normal| may_fold(&bends, normal));
-        let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
-        let rules = Grid::from_fn(ratios.n_rows(), ratios.n_columns(), |i, j| {
-            let bend = bends.pieces.get(i, j);
-            let edge = diagonal(&bend).scaled(per_edge);
-            let angle = turns.as_ref().map_or(ParameterBoxes::NONE, |turns| turns.get(i, j));
-            let angle = angle.scaled(1.0 / (chord * chord));
-            let edge = if wanted.max_edge.is_finite() { edge } else { ParameterBoxes::NONE };
-            if bends.plane.is_some() {
-                let unfolded = if may_fold { unfolded(&bend) } else { ParameterBoxes::NONE };
-                let also = [edge, angle, unfolded, lines.get(i, j)];
-                return CellRules { whole: ParameterBoxes::NONE, near: None, also };
-            }
-            let mut near = near.get(i, j);
-            if let Some(near) = &mut near {
-                near.line = lines.get(i, j);
-            }
-            let also = [edge, angle, ParameterBoxes::NONE, ParameterBoxes::NONE];
-            CellRules { whole: ParameterBoxes::new(bend.second).scaled(per_tolerance), near, also }
+        let angle = wanted.limits_angle().then(|| {
+            let turns = turns(surface, &ends, wanted.n_threads);
+            Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
         });
-        Self { ends: bends.ends, rules: Arc::new(rules), ratios }
+        let mut others = Vec::new();
+        if wanted.max_edge.is_finite() {
+            let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
+            others.push(pieces.map(|bend| diagonal(bend).scaled(per_edge)));
+        }
+        let bends = match plane {
+            Some(normal) => {
+                others.extend(may_fold(&pieces, normal).then(|| pieces.map(unfolded)));
+                others.extend(lines);
+                None
+            }
+            None => {
+                let lines = lines.as_ref();
+                let tolerance = wanted.tolerance;
+                Some(Arc::new(bend_rules(&pieces, &ends, &ratios, breaks, lines, tolerance)))
+            }
+        };
+        let rules = PieceRules { bends, angle, others: Arc::new(others) };
+        Self { ends, rules, ratios: Arc::new(ratios), widths: None }
     }
 
     /// The same for an angle that is smaller by a factor.
     pub(super) fn sharpened(&self, sharpness: f64) -> Self {
-        let mut sharp = self.clone();
-        if 1.0 < sharpness {
-            sharp.rules = Arc::new(self.rules.map(|&rules| {
-                let [edge, angle, unfolded, line] = rules.also;
-                let angle = angle.scaled(sharpness * sharpness);
-                CellRules { also: [edge, angle, unfolded, line], ..rules }
-            }));
+        if sharpness <= 1.0 {
+            return self.clone();
         }
-        sharp
+        let sharper = |angle: &Arc<Grid<ParameterBoxes>>| {
+            Arc::new(angle.map(|turn| turn.scaled(sharpness * sharpness)))
+        };
+        let angle = self.rules.angle.as_ref().map(sharper);
+        Self { rules: PieceRules { angle, ..self.rules.clone() }, widths: None, ..self.clone() }
     }
 
     /// Whether a box keeps to the limits of all pieces that it touches.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
         let [rows, columns] = Direction::BOTH.map(|along| self.touched(along, box_of[along]));
-        self.allow_over(rows, &columns, box_of.map(|[low, high]| high - low))
-    }
-
-    /// Whether a box of these widths keeps to the limits of the pieces in these rows and columns.
-    fn allow_over(&self, rows: Range<usize>, columns: &Range<usize>, widths: [f64; 2]) -> bool {
-        let pieces = rows.flat_map(|i| &self.rules.row(i)[columns.clone()]);
-        CellRules::all_allow(pieces, widths)
+        self.rules.allow(&rows, &columns, box_of.map(|[low, high]| high - low))
     }
 
     /// The pieces that an interval along a direction touches.
@@ -204,25 +207,22 @@ impl CellBounds {
     /// Makes the widths a little smaller where cells between these lines break a rule, which those
     /// can that touch several pieces; whether there are such.
     pub(super) fn narrow(&self, lines: &[Vec<f64>; 2], widths: &mut [Vec<f64>; 2]) -> bool {
-        let [steps_u, steps_v] = Direction::BOTH.map(|along| -> Vec<([f64; 2], Range<usize>)> {
+        let [steps_u, steps_v] = Direction::BOTH.map(|along| -> Vec<(f64, Range<usize>)> {
             let steps = lines[along].windows(2).map(|pair| [pair[0], pair[1]]);
-            steps.map(|step| (step, self.touched(along, step))).collect()
+            steps.map(|step| (step[1] - step[0], self.touched(along, step))).collect()
         });
         let mut is_faulty = [vec![false; widths[0].len()], vec![false; widths[1].len()]];
-        for (step_u, rows) in &steps_u {
+        let [faulty_rows, faulty_columns] = &mut is_faulty;
+        let mut room = Vec::new();
+        for (height, rows) in &steps_u {
             // Whoever asked looks at that as well.
             if !work::goes_on(1) {
                 return false;
             }
-            for (step_v, columns) in &steps_v {
-                // Widths are those that cells of one piece may have.
-                let widths = [step_u[1] - step_u[0], step_v[1] - step_v[0]];
-                if 2 < rows.len() + columns.len() && !self.allow_over(rows.clone(), columns, widths)
-                {
-                    is_faulty[0][rows.clone()].fill(true);
-                    is_faulty[1][columns.clone()].fill(true);
-                }
-            }
+            self.rules.faults(rows, *height, &steps_v, &mut room, |columns| {
+                faulty_rows[rows.clone()].fill(true);
+                faulty_columns[columns.clone()].fill(true);
+            });
         }
         for (widths, is_faulty) in widths.iter_mut().zip(&is_faulty) {
             for (width, _) in widths.iter_mut().zip(is_faulty).filter(|(_, is_faulty)| **is_faulty)
@@ -235,30 +235,31 @@ impl CellBounds {
 
     /// Widths of cells for each piece along u and along v, so that every cell of one piece keeps to
     /// every limit, and about how many cells that makes along each.
-    pub(super) fn widths(&self) -> [(Vec<f64>, f64); 2] {
+    pub(super) fn widths(&self) -> PieceWidths {
+        if let Some(widths) = &self.widths {
+            return widths.clone();
+        }
         let wholes = self.ends.each_ref().map(|ends| ends[ends.len() - 1] - ends[0]);
-        let mut widths = vec![wholes[1]; self.rules.n_columns()];
-        for i in 0..self.rules.n_rows() {
-            for (j, width) in widths.iter_mut().enumerate() {
-                let [_, b] = self.rules.get(i, j).largest(self.ratios.get(i, j));
+        let (n_rows, n_columns) = (self.ratios.n_rows(), self.ratios.n_columns());
+        let mut widths = vec![wholes[1]; n_columns];
+        for i in 0..n_rows {
+            for (j, (width, &ratio)) in widths.iter_mut().zip(self.ratios.row(i)).enumerate() {
+                let [_, b] = self.rules.largest([i, j], ratio);
                 *width = width.min(b);
             }
         }
-        let (n_rows, n_columns) = (self.rules.n_rows(), self.rules.n_columns());
-        let rules = CompactRules::new(n_columns, self.rules.iter().copied());
-        let across = (0..n_columns).flat_map(|j| (0..n_rows).map(move |i| (i, j)));
-        let turned = CompactRules::new(n_rows, across.map(|(i, j)| self.rules.get(i, j).swapped()));
+        let rules = CompactRules::new(&self.rules, [n_rows, n_columns]);
         let balanced = |factor: f64| {
             let mut columns: Vec<f64> =
                 widths.iter().map(|width| (factor * width).min(wholes[1])).collect();
-            let rows = rules.widest(&columns, wholes[0]);
-            for (width, wider) in columns.iter_mut().zip(turned.widest(&rows, wholes[1])) {
+            let rows = rules.widest_rows(&columns, wholes[0]);
+            for (width, wider) in columns.iter_mut().zip(rules.widest_columns(&rows, wholes[1])) {
                 *width = width.max(wider);
             }
             let counts = [count(&self.ends[0], &rows), count(&self.ends[1], &columns)];
             [(rows, counts[0]), (columns, counts[1])]
         };
-        let cost = |found: &[(Vec<f64>, f64); 2]| found[0].1 * found[1].1;
+        let cost = |found: &PieceWidths| found[0].1 * found[1].1;
         let mut best = (1.0, balanced(1.0));
         let mut step = BALANCE_STEP;
         for _ in 0..BALANCE_ROUNDS {
@@ -283,16 +284,17 @@ fn count(ends: &[f64], widths: &[f64]) -> f64 {
 
 /// The limits beside lines that keep to the tolerance on their own.
 fn line_forms(
-    bends: &DerivativeBounds,
+    pieces: &Grid<PieceBounds>,
+    ends: &[Vec<f64>; 2],
     lines: [&[f64]; 2],
     per_tolerance: f64,
 ) -> Grid<ParameterBoxes> {
     let [beside_u, beside_v] = Direction::BOTH.map(|along| -> Vec<bool> {
         let is_line = |t: f64| lines[along].contains(&t);
-        bends.ends[along].windows(2).map(|ends| is_line(ends[0]) || is_line(ends[1])).collect()
+        ends[along].windows(2).map(|ends| is_line(ends[0]) || is_line(ends[1])).collect()
     });
     Grid::from_fn(beside_u.len(), beside_v.len(), |i, j| {
-        let [uu, _, vv] = bends.pieces.get(i, j).second;
+        let [uu, _, vv] = pieces.row(i)[j].second;
         let of = |is_beside: bool, bend: f64| if is_beside { bend } else { 0.0 };
         ParameterBoxes::new([of(beside_v[j], uu), 0.0, of(beside_u[i], vv)]).scaled(per_tolerance)
     })
@@ -315,12 +317,12 @@ fn diagonal(bend: &PieceBounds) -> ParameterBoxes {
 }
 
 /// Whether somewhere in a plane Su has a direction that Sv has somewhere.
-fn may_fold(bends: &DerivativeBounds, normal: DVec3) -> bool {
-    let Some(first) = bends.pieces.as_slice().first() else { return true };
+fn may_fold(pieces: &Grid<PieceBounds>, normal: DVec3) -> bool {
+    let Some(first) = pieces.as_slice().first() else { return true };
     let x = first.middle[0];
     let y = normal.cross(x);
     let mut directions = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for bend in &bends.pieces {
+    for bend in pieces {
         for (i, range) in directions.iter_mut().enumerate() {
             let along = bend.middle[i];
             let reach = bend.spread[i] / along.length();
@@ -348,26 +350,32 @@ fn unfolded(bend: &PieceBounds) -> ParameterBoxes {
 
 /// The square of the distance between unit normals over a box, by their differences between
 /// places of each piece.
-fn turns(surface: &NurbsSurface, ends: &[Vec<f64>; 2]) -> Grid<ParameterBoxes> {
+fn turns(surface: &NurbsSurface, ends: &[Vec<f64>; 2], n_threads: usize) -> Grid<ParameterBoxes> {
+    const N: usize = PLACES.len();
     let [us, vs] = ends.each_ref().map(|ends| -> Vec<f64> {
         let at = |pair: &[f64]| PLACES.map(|place| pair[0] + (pair[1] - pair[0]) * place);
         ends.windows(2).flat_map(at).collect()
     });
-    let normals = surface.samples_on_grid(&us, &vs, 1).normals;
-    let n = PLACES.len();
+    let normals = surface.samples_on_grid(&us, &vs, n_threads).normals;
     Grid::from_fn(ends[0].len() - 1, ends[1].len() - 1, |i, j| {
-        let mut most = ParameterBoxes::NONE;
-        for k in 0..n - 1 {
-            for l in 0..n - 1 {
-                let at = |dk: usize, dl: usize| normals.get(i * n + k + dk, j * n + l + dl);
-                let (du, dv) =
-                    (us[i * n + k + 1] - us[i * n + k], vs[j * n + l + 1] - vs[j * n + l]);
-                let turns_u = [0, 1].map(|dl| (at(1, dl) - at(0, dl)) / du);
-                let turns_v = [0, 1].map(|dk| (at(dk, 1) - at(dk, 0)) / dv);
-                for turn_u in turns_u {
-                    for turn_v in turns_v {
-                        most.uu = most.uu.max(turn_u.length_squared());
-                        most.vv = most.vv.max(turn_v.length_squared());
+        let at: [[DVec3; N]; N] = from_fn(|k| from_fn(|l| normals.row(i * N + k)[j * N + l]));
+        let (us, vs) = (&us[i * N..][..N], &vs[j * N..][..N]);
+        // Between places one behind the other along u, at each of those along v; and the other way round.
+        let turns_u: [[DVec3; N]; N - 1] =
+            from_fn(|k| from_fn(|l| (at[k + 1][l] - at[k][l]) / (us[k + 1] - us[k])));
+        let turns_v: [[DVec3; N - 1]; N] =
+            from_fn(|k| from_fn(|l| (at[k][l + 1] - at[k][l]) / (vs[l + 1] - vs[l])));
+        let longest =
+            |turns: &[DVec3]| turns.iter().map(|turn| turn.length_squared()).fold(0.0, f64::max);
+        let mut most = ParameterBoxes {
+            uu: longest(turns_u.as_flattened()),
+            uv: 0.0,
+            vv: longest(turns_v.as_flattened()),
+        };
+        for k in 0..N - 1 {
+            for l in 0..N - 1 {
+                for turn_u in [turns_u[k][l], turns_u[k][l + 1]] {
+                    for turn_v in [turns_v[k][l], turns_v[k + 1][l]] {
                         most.uv = most.uv.max(turn_u.dot(turn_v).abs());
                     }
                 }

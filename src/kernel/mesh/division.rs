@@ -9,10 +9,11 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
+use smallvec::SmallVec;
 
 use super::{
-    chord::chord_deviation,
+    chord::{PiecePoints, chord_deviation, cut_before},
     edge::PatchEdge,
     seam::{EdgeStretch, SharedEdge, SharedEdges, Vertices},
     surface_patch::{Cells, SurfacePatch},
@@ -27,7 +28,10 @@ use crate::{
 
 /// The parameters on a seam's stretches at the fractions that were looked at, by the bits of these:
 /// each is found by Newton's method on an arc length, and asked again when the seam is divided anew.
-type KnownParameters = HashMap<u64, Vec<f64>>;
+type KnownParameters = HashMap<u64, StretchParameters>;
+
+/// A parameter for each stretch of a seam, of which there are mostly one or two.
+type StretchParameters = SmallVec<[f64; 2]>;
 
 /// Those of all seams.
 pub(super) type KnownPlaces = Vec<Mutex<KnownParameters>>;
@@ -110,7 +114,7 @@ pub(super) struct SeamDivision<'a, 's> {
     /// How far its polygon may be away.
     tolerance: f64,
     /// The Bézier pieces of its first stretch.
-    pieces: Vec<(Interval, Vec<DVec4>)>,
+    pieces: Vec<(Interval, PiecePoints)>,
     known: RefCell<&'a mut KnownParameters>,
 }
 
@@ -119,7 +123,7 @@ pub(super) struct SeamDivision<'a, 's> {
 pub(super) struct SeamPlace {
     fraction: f64,
     /// The parameters there of its stretches.
-    pub(super) parameters: Vec<f64>,
+    pub(super) parameters: StretchParameters,
 }
 
 impl<'a, 's> SeamDivision<'a, 's> {
@@ -140,7 +144,10 @@ impl<'a, 's> SeamDivision<'a, 's> {
         let spans = knots.spans().map(|span| (knots.span_interval(span), span));
         let pieces = spans
             .filter(|(interval, _)| first.touches(*interval))
-            .map(|(interval, span)| (interval, bezier::piece(knots, curve.control_points(), span)))
+            .map(|(interval, span)| {
+                let points = bezier::piece(knots, curve.control_points(), span);
+                (interval, points.into())
+            })
             .collect();
         Self { seams, seam, sheets, cells, tolerance, pieces, known: RefCell::new(known) }
     }
@@ -155,13 +162,23 @@ impl<'a, 's> SeamDivision<'a, 's> {
     }
 
     fn stop(&self, fraction: f64) -> SeamPlace {
-        let parameter = |(stretch, edge, turns): (&EdgeStretch, &PatchEdge, bool)| {
-            stretch.parameter(edge, fraction, turns)
-        };
         let mut known = self.known.borrow_mut();
         let parameters = known.entry(fraction.to_bits());
-        let parameters = parameters.or_insert_with(|| self.stretches().map(parameter).collect());
+        let parameters = parameters.or_insert_with(|| self.parameters(fraction));
         SeamPlace { fraction, parameters: parameters.clone() }
+    }
+
+    /// The parameters of the stretches at a fraction, each found once of stretches that are the same.
+    fn parameters(&self, fraction: f64) -> StretchParameters {
+        let mut parameters = StretchParameters::new();
+        for (i, (stretch, edge, turns)) in self.stretches().enumerate() {
+            let same = self.seam.repeats[i];
+            parameters.push(match same < i {
+                true => parameters[same],
+                false => stretch.parameter(edge, fraction, turns),
+            });
+        }
+        parameters
     }
 
     /// Where there are vertices.
@@ -281,25 +298,24 @@ fn equal([low, high]: [f64; 2], i: usize, n: usize) -> f64 {
     if i == n { high } else { low + (high - low) * (i as f64 / n as f64) }
 }
 
-/// A bound of how far a curve is from its chord between two parameters.
-fn deviation(pieces: &[(Interval, Vec<DVec4>)], [start, end]: [f64; 2]) -> f64 {
-    let mut parts: Vec<Vec<DVec4>> = Vec::new();
-    for (interval, points) in pieces {
-        if interval.end() <= start || end <= interval.start() {
-            continue;
-        }
+/// A bound of how far a curve is from its chord between two parameters, by its pieces in order.
+fn deviation(pieces: &[(Interval, PiecePoints)], [start, end]: [f64; 2]) -> f64 {
+    let first = pieces.partition_point(|(interval, _)| interval.end() <= start);
+    let touched = pieces[first..].iter().take_while(|(interval, _)| interval.start() < end);
+    let part = |(interval, points): &(Interval, PiecePoints)| {
         let mut part = points.clone();
         let fraction = interval.fraction_of(end);
         if fraction < 1.0 {
-            part = bezier::cut_at(&part, fraction).0;
+            part = cut_before(&mut part, fraction);
         }
         let whole = interval.fraction_of(end.min(interval.end()));
         let fraction = interval.fraction_of(start) / whole;
         if 0.0 < fraction {
-            part = bezier::cut_at(&part, fraction).1;
+            cut_before(&mut part, fraction);
         }
-        parts.push(part);
-    }
+        part
+    };
+    let parts: SmallVec<[PiecePoints; 2]> = touched.map(part).collect();
     let (Some(first), Some(last)) = (parts.first(), parts.last()) else { return 0.0 };
     let chord = [first[0], last[last.len() - 1]];
     parts.iter().map(|part| chord_deviation(part, chord)).fold(0.0, f64::max)

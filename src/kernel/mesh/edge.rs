@@ -1,5 +1,7 @@
 //! The edges of sheets, and where corners lie on them.
 
+use std::sync::OnceLock;
+
 use glam::{DVec3, DVec4};
 
 use super::surface_patch::SurfacePatch;
@@ -21,7 +23,8 @@ pub(super) struct PatchEdge {
     pub(super) sheet: usize,
     pub(super) number: usize,
     pub(super) curve: NurbsCurve,
-    lengths: ArcLengths,
+    /// Found when it is asked for the first time: edges that are points need none.
+    lengths: OnceLock<ArcLengths>,
     /// What its ends are welded to.
     pub(super) corners: [u32; 2],
     /// Whether it is one point.
@@ -35,6 +38,14 @@ pub(super) struct EdgeCorner {
     /// How much of the edge's length is before it.
     pub(super) fraction: f64,
     pub(super) corner: u32,
+}
+
+impl EdgeCorner {
+    /// Whether it is at the place of another one, to the last bit.
+    pub(super) fn is_at(&self, other: &Self) -> bool {
+        let bits = |corner: &Self| [corner.parameter, corner.fraction].map(f64::to_bits);
+        bits(self) == bits(other)
+    }
 }
 
 /// A part of an edge that may hold corners.
@@ -55,7 +66,7 @@ impl PatchEdge {
         weld: f64,
     ) -> Self {
         let size = Bounds::of(curve.points()).map_or(0.0, Bounds::diagonal);
-        let lengths = curve.arc_lengths();
+        let lengths = OnceLock::new();
         Self { sheet, number, curve, lengths, corners, is_point: size <= weld }
     }
 
@@ -68,14 +79,18 @@ impl PatchEdge {
         self.curve.domain()
     }
 
+    fn lengths(&self) -> &ArcLengths {
+        self.lengths.get_or_init(|| self.curve.arc_lengths())
+    }
+
     /// The parameter before which a fraction of its length is.
     pub(super) fn parameter(&self, fraction: f64) -> f64 {
-        self.curve.at_fraction(&self.lengths, fraction)
+        self.curve.at_fraction(self.lengths(), fraction)
     }
 
     /// How much of its length is before a parameter.
     pub(super) fn fraction(&self, parameter: f64) -> f64 {
-        self.curve.fraction_at(&self.lengths, parameter)
+        self.curve.fraction_at(self.lengths(), parameter)
     }
 
     /// The point of its surface.
@@ -111,8 +126,6 @@ impl PatchEdge {
         near: &[u32],
         [weld, slack]: [f64; 2],
     ) -> Result<Vec<EdgeCorner>, GeomError> {
-        // No two places of a shorter stretch are further apart than the weld.
-        let least = weld / self.lengths.total();
         let mut found = Vec::new();
         for (about, span, corner) in self.feet(corners, near, weld + slack) {
             let place = corners[corner as usize];
@@ -120,6 +133,8 @@ impl PatchEdge {
             let fraction = self.fraction(parameter);
             found.push(EdgeCorner { parameter, fraction, corner });
         }
+        // No two places of a shorter stretch are further apart than the weld.
+        let least = if found.is_empty() { 0.0 } else { weld / self.lengths().total() };
         if !found.is_empty() {
             for line in self.breaks(sheet) {
                 let fraction = self.fraction(line.at);

@@ -35,7 +35,12 @@ impl ParameterBoxes {
         Self { uu: self.uu.max(other.uu), uv: self.uv.max(other.uv), vv: self.vv.max(other.vv) }
     }
 
-    /// What of the limit a box uses up.
+    /// Whether the other limit leaves no room that this one does not.
+    pub(super) fn is_within(self, other: Self) -> bool {
+        self.uu <= other.uu && self.uv <= other.uv && self.vv <= other.vv
+    }
+
+    /// What of the limit a box uses up; no less for larger coefficients, rounding included.
     pub(super) fn share(self, [a, b]: [f64; 2]) -> f64 {
         self.uu * a * a + 2.0 * self.uv * a * b + self.vv * b * b
     }
@@ -73,6 +78,9 @@ impl ParameterBoxes {
     /// The widths of the largest box: along both directions it bends alike. `ratio` is how many
     /// times longer a step along u is than one along v.
     pub(super) fn largest(self, ratio: f64) -> [f64; 2] {
+        if self == Self::NONE {
+            return [f64::INFINITY; 2];
+        }
         if !(self.uu + self.uv + self.vv).is_finite() {
             return [0.0; 2];
         }

@@ -7,7 +7,10 @@
 
 use glam::{DVec3, DVec4};
 
-use super::quotient::{CurveHulls, curve_hulls};
+use super::{
+    quotient::{CurveHulls, curve_hulls},
+    reach::{self, Reach, VectorLanes, in_lanes},
+};
 use crate::{
     Direction, Grid, Interval, NurbsSurface,
     homogeneous::{place, weight_factors},
@@ -21,13 +24,33 @@ pub(super) struct HomotheticSections {
     /// The direction of D.
     along: Direction,
     /// D.
-    section: Vec<CurvePiece>,
+    section: Vec<SectionPiece>,
     /// A with r as the fourth coordinate.
-    carried: Vec<CurvePiece>,
+    carried: Vec<CarriedPiece>,
+}
+
+/// A piece of D.
+#[derive(Debug)]
+struct SectionPiece {
+    domain: Interval,
+    /// What value, first and second derivative are hulls of, by fractions of the piece.
+    hulls: [Vec<VectorLanes>; 3],
+    /// Value, first and second derivative in the middle, by the parameter.
+    middle: [DVec3; 3],
+}
+
+/// A piece of A with r.
+#[derive(Debug)]
+struct CarriedPiece {
+    domain: Interval,
+    /// Least and most of r and of its derivative.
+    sizes: [[f64; 2]; 2],
+    /// What the second derivative is a hull of, by fractions of the piece.
+    bends: Vec<DVec4>,
+    middle: [DVec4; 3],
 }
 
 /// A piece of a rational curve.
-#[derive(Debug)]
 struct CurvePiece {
     domain: Interval,
     /// What value, first and second derivative are hulls of, by fractions of the piece.
@@ -64,50 +87,81 @@ impl HomotheticSections {
                 )
             };
             let (section, carried) = (pieces(along, &section)?, pieces(across, &carried)?);
+            let section = section.into_iter().map(SectionPiece::new).collect();
+            let carried = carried.into_iter().map(CarriedPiece::new).collect();
             Some(Self { along, section, carried })
         })
     }
 
     /// The parameters of the pieces along u and along v.
     pub(super) fn domains(&self) -> [Vec<Interval>; 2] {
-        let of = |pieces: &[CurvePiece]| pieces.iter().map(|piece| piece.domain).collect();
-        self.along.pair(of(&self.section), of(&self.carried))
+        let section = self.section.iter().map(|piece| piece.domain).collect();
+        let carried = self.carried.iter().map(|piece| piece.domain).collect();
+        self.along.pair(section, carried)
     }
 
-    /// Vectors in whose hulls Suu, Suv and Svv are over a piece, by fractions of it; and Su, Sv, Suu, Suv and
-    /// Svv in its middle, by the parameters.
-    pub(super) fn second(&self, [i, j]: [usize; 2], hulls: &mut [Vec<DVec3>; 3]) -> [DVec3; 5] {
-        let (section, carried) = match self.along {
+    fn pair(&self, [i, j]: [usize; 2]) -> (&SectionPiece, &CarriedPiece) {
+        match self.along {
             Direction::U => (&self.section[i], &self.carried[j]),
             Direction::V => (&self.section[j], &self.carried[i]),
+        }
+    }
+
+    /// Su, Sv, Suu, Suv and Svv in the middle of a piece, by the parameters.
+    pub(super) fn middle(&self, place: [usize; 2]) -> [DVec3; 5] {
+        let (section, carried) = self.pair(place);
+        let ([d, d1, d2], [a, a1, a2]) = (section.middle, carried.middle);
+        let mut middle =
+            [d1 * a.w, a1.truncate() + d * a1.w, d2 * a.w, d1 * a1.w, a2.truncate() + d * a2.w];
+        if self.along == Direction::V {
+            middle.swap(0, 1);
+            middle.swap(2, 4);
+        }
+        middle
+    }
+
+    /// Adds vectors in whose hulls Suu, Suv and Svv are over a piece, by fractions of it.
+    pub(super) fn add_second(&self, place: [usize; 2], reaches: &mut [Reach; 3]) {
+        let (section, carried) = self.pair(place);
+        let [d, d1, d2] = &section.hulls;
+        let [along, both, across] = match self.along {
+            Direction::U => [0, 1, 2],
+            Direction::V => [2, 1, 0],
         };
-        let range = |values: &[DVec4]| -> [f64; 2] {
+        for (i, sizes, vectors) in [(along, carried.sizes[0], d2), (both, carried.sizes[1], d1)] {
+            let n_sizes = if sizes[0] < sizes[1] { 2 } else { 1 };
+            for &r in &sizes[..n_sizes] {
+                vectors.iter().for_each(|&some| reaches[i].add(reach::times(some, r)));
+            }
+        }
+        for a in &carried.bends {
+            let carry = |some| reach::plus(reach::times(some, a.w), a.truncate());
+            d.iter().for_each(|&some| reaches[across].add(carry(some)));
+        }
+    }
+}
+
+impl SectionPiece {
+    fn new(piece: CurvePiece) -> Self {
+        let hulls = piece.hulls.map(|hull| {
+            let vectors: Vec<DVec3> = hull.into_iter().map(DVec4::truncate).collect();
+            in_lanes(&vectors).collect()
+        });
+        Self { domain: piece.domain, hulls, middle: piece.middle.map(DVec4::truncate) }
+    }
+}
+
+impl CarriedPiece {
+    fn new(piece: CurvePiece) -> Self {
+        let [value, first, bends] = piece.hulls;
+        let range = |values: Vec<DVec4>| -> [f64; 2] {
             let sizes = values.iter().map(|value| value.w);
             sizes.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], r| {
                 [low.min(r), high.max(r)]
             })
         };
-        let [d, d1, d2] = &section.hulls;
-        let [a, a1, a2] = &carried.hulls;
-        hulls.iter_mut().for_each(Vec::clear);
-        let [along, both, across] = hulls;
-        let times = |sizes: [f64; 2], vectors: &[DVec4], products: &mut Vec<DVec3>| {
-            products
-                .extend(sizes.iter().flat_map(|&r| vectors.iter().map(move |d| d.truncate() * r)));
-        };
-        times(range(a), d2, along);
-        times(range(a1), d1, both);
-        across.extend(a2.iter().flat_map(|a| d.iter().map(|d| a.truncate() + d.truncate() * a.w)));
-        let [d, d1, d2] = section.middle.map(DVec4::truncate);
-        let [a, a1, a2] = carried.middle;
-        let mut middle =
-            [d1 * a.w, a1.truncate() + d * a1.w, d2 * a.w, d1 * a1.w, a2.truncate() + d * a2.w];
-        if self.along == Direction::V {
-            hulls.swap(0, 2);
-            middle.swap(0, 1);
-            middle.swap(2, 4);
-        }
-        middle
+        let sizes = [range(value), range(first)];
+        Self { domain: piece.domain, sizes, bends, middle: piece.middle }
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance,
 //! `any` of functions too, `polygons` of faces, `planar` of regions, both by a `triangulation`; `faces` are the runs of triangles that stand for faces of
-//! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the hulls of `quotient`, or of the two curves of `homothetic`; `cell_bounds`
-//! makes of them `rules` for each piece, `form`s of what a cell may be, and `near` those along its
+//! more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the `reach` of the hulls of `quotient`, or of the two curves of `homothetic`; `cell_bounds`
+//! makes of them `rules` for each piece, `compact_rules` where they are gone through many times, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface, whose borders are
 //! the `legs` of arcs and come together where they are `pinched`. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
@@ -18,6 +18,7 @@ mod boolean;
 mod cell_bounds;
 mod chord;
 mod coincident;
+mod compact_rules;
 mod crossing;
 mod deviation;
 mod distance;
@@ -44,6 +45,7 @@ mod planar;
 mod polygons;
 mod quadrilaterals;
 mod quotient;
+mod reach;
 mod rules;
 mod seam;
 mod section;
@@ -286,6 +288,9 @@ impl Mesh {
     fn without_strays(self) -> Self {
         let mut is_used = vec![false; self.n_vertices()];
         self.triangles.iter().flatten().for_each(|&corner| is_used[corner as usize] = true);
+        if is_used.iter().all(|&is_used| is_used) {
+            return self;
+        }
         let mut renamed = vec![0; self.n_vertices()];
         let mut n_kept = 0;
         for (name, &is_used) in renamed.iter_mut().zip(&is_used) {

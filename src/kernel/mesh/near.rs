@@ -12,12 +12,12 @@
 //! The slope is bounded by how far the normal turns: over the cell, which is a rule for its size,
 //! and over the path, by the curvature of the pieces around.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, ops::Range};
 
 use super::{
     bend::PieceBounds,
     form::ParameterBoxes,
-    rules::{BendingSide, NormalRules},
+    rules::{BendRules, BendingSide, NormalRules},
 };
 use crate::{Direction, Grid, tolerance::FLAT_SLOPE};
 
@@ -45,39 +45,51 @@ struct SteadyNormal {
     extent: f64,
 }
 
-/// The rules for cells over each piece; none where they see too much slope.
-pub(super) fn near_rules(
+/// The rules for cells over each piece, along the normal none where they see too much slope; `lines` are those beside
+/// lines that keep to the tolerance on their own.
+pub(super) fn bend_rules(
     pieces: &Grid<PieceBounds>,
     ends: &[Vec<f64>; 2],
     ratios: &Grid<f64>,
     breaks: [&[f64]; 2],
+    lines: Option<&Grid<ParameterBoxes>>,
     tolerance: f64,
-) -> Grid<Option<NormalRules>> {
+) -> Grid<BendRules> {
     let steady = Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
         let widths = [ends[0][i + 1] - ends[0][i], ends[1][j + 1] - ends[1][j]];
-        steady(&pieces.get(i, j), widths)
+        steady(&pieces.row(i)[j], widths)
     });
     let slide = MAX_SLIDE * tolerance;
     // The pieces beside, but for those behind a line where the surface is broken.
-    let around = |along: Direction, i: usize| {
+    let around = Direction::BOTH.map(|along| -> Vec<Range<usize>> {
         let (ends, breaks) = (&ends[along], breaks[along]);
-        let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
-        let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
-        first..=if is_last { i } else { i + 1 }
-    };
-    Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
-        let this = steady.get(i, j)?;
+        let of = |i: usize| {
+            let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
+            let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
+            first..if is_last { i + 1 } else { i + 2 }
+        };
+        (0..ends.len() - 1).map(of).collect()
+    });
+    let of_normal = |i: usize, j: usize| {
+        let this = steady.row(i)[j].as_ref()?;
         let mut curvature = 0.0_f64;
-        for k in around(Direction::U, i) {
-            for l in around(Direction::V, j) {
-                let beside = steady.get(k, l)?;
+        for k in around[0][i].clone() {
+            for l in around[1][j].clone() {
+                let beside = steady.row(k)[l].as_ref()?;
                 if (k, l) != (i, j) && beside.extent < slide {
                     return None;
                 }
                 curvature = curvature.max(beside.curvature);
             }
         }
-        near(&pieces.get(i, j), &this, curvature * slide, ratios.get(i, j), tolerance)
+        let line = lines.map_or(ParameterBoxes::NONE, |lines| lines.row(i)[j]);
+        let rules = near(&pieces.row(i)[j], this, curvature * slide, ratios.row(i)[j], tolerance)?;
+        Some(NormalRules { line, ..rules })
+    };
+    let per_tolerance = 1.0 / (8.0 * tolerance);
+    Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
+        let whole = ParameterBoxes::new(pieces.row(i)[j].second).scaled(per_tolerance);
+        BendRules { whole, near: of_normal(i, j) }
     })
 }
 

@@ -31,6 +31,8 @@ pub(super) struct EdgeStretch {
 pub(super) struct SharedEdge {
     /// Indices of stretches, and whether they run against the first.
     pub(super) stretches: Vec<(usize, bool)>,
+    /// For each of these the first that has the same parameters everywhere.
+    pub(super) repeats: Vec<usize>,
 }
 
 /// Vertices on an edge: parameters along it, growing, and places.
@@ -141,7 +143,9 @@ impl SharedEdges {
             let mut here: Vec<(Vec<DVec3>, SharedEdge)> = Vec::new();
             for &stretch in alike {
                 let of = |stretch: usize| self.edges[self.stretches[stretch].edge].sheet;
-                let places = self.compared(stretch, sheets)?;
+                // One alone is compared with none.
+                let places =
+                    if alike.len() == 1 { Vec::new() } else { self.compared(stretch, sheets)? };
                 let gap = &mut gaps[of(stretch)];
                 *gap = gap.max(self.moved_at_ends(stretch, sheets)?);
                 let found = here.iter().enumerate().find_map(|(i, (others, seam))| {
@@ -157,15 +161,35 @@ impl SharedEdges {
                 match found {
                     Some((i, moved, turns)) => {
                         *gap = gap.max(moved);
-                        here[i].1.stretches.push((stretch, turns));
+                        let seam = &mut here[i].1;
+                        seam.repeats.push(self.repeated(&seam.stretches, (stretch, turns)));
+                        seam.stretches.push((stretch, turns));
                     }
-                    None => here.push((places, SharedEdge { stretches: vec![(stretch, false)] })),
+                    None => here.push((
+                        places,
+                        SharedEdge { stretches: vec![(stretch, false)], repeats: vec![0] },
+                    )),
                 }
             }
             seams.extend(here.into_iter().map(|(_, seam)| seam));
         }
         self.seams = seams;
         Ok(gaps)
+    }
+
+    /// Which of the stretches before has the parameters of one everywhere; its own place if there is none.
+    fn repeated(&self, before: &[(usize, bool)], (stretch, turns): (usize, bool)) -> usize {
+        let this = &self.stretches[stretch];
+        let curve = &self.edges[this.edge].curve;
+        let is_same = |&(other, other_turns): &(usize, bool)| {
+            let other = &self.stretches[other];
+            let others = &self.edges[other.edge].curve;
+            turns == other_turns
+                && this.ends.iter().zip(&other.ends).all(|(a, b)| a.is_at(b))
+                && curve.knots() == others.knots()
+                && curve.control_points() == others.control_points()
+        };
+        before.iter().position(is_same).unwrap_or(before.len())
     }
 
     /// Makes one of stretches, one behind the other, that the same edges share, where none of these

@@ -133,14 +133,14 @@ fn meshes_of(
     let known = seams.places();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
+    let numbers: Vec<usize> = (0..sheets.len()).collect();
+    let cells_of =
+        |i: usize, sharpness: f64| sheets[i].cells(all[i].sharpened(sharpness), max_vertices);
+    let cells = side_by_side::map(&numbers, n_threads, |&i| cells_of(i, 1.0));
+    let mut cells = cells.into_iter().collect::<Result<Vec<_>, GeomError>>()?;
     let mut round = 0;
     loop {
         GeomError::go_on(1)?;
-        let numbers: Vec<usize> = (0..sheets.len()).collect();
-        let cells = side_by_side::map(&numbers, n_threads, |&i| {
-            sheets[i].cells(all[i].sharpened(sharpness[i]), max_vertices)
-        });
-        let cells = cells.into_iter().collect::<Result<Vec<_>, GeomError>>()?;
         let edges = seams.vertices(&sheets, &cells, &known, max_vertices, n_threads)?;
         let meshes = side_by_side::map(&numbers, n_threads, |&i| {
             stitched(&sheets[i], &cells[i], &edges[i], max_vertices)
@@ -150,18 +150,22 @@ fn meshes_of(
         if !limits.limits_angle() || TESSELLATION_ROUNDS <= round {
             return Ok(SheetMeshes { meshes, edges });
         }
-        let mut is_done = true;
-        for ((mesh, sharpness), last) in meshes.iter().zip(&mut sharpness).zip(&mut excesses) {
+        let mut too_wide = Vec::new();
+        for (i, mesh) in meshes.iter().enumerate() {
             let excess = widest_turn(mesh, limits.tolerance) / limits.angle;
             // Where the normal jumps inside a piece, no size would do.
-            if 1.0 < excess && excess < LEAST_GAIN * *last {
-                *sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-                is_done = false;
+            if 1.0 < excess && excess < LEAST_GAIN * excesses[i] {
+                sharpness[i] *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
+                too_wide.push(i);
             }
-            *last = excess;
+            excesses[i] = excess;
         }
-        if is_done {
+        if too_wide.is_empty() {
             return Ok(SheetMeshes { meshes, edges });
+        }
+        let narrower = side_by_side::map(&too_wide, n_threads, |&i| cells_of(i, sharpness[i]));
+        for (i, narrower) in too_wide.into_iter().zip(narrower) {
+            cells[i] = narrower?;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::{Grid, Interval, Side, curve::NurbsCurve, homogeneous, knots::acting};
+use crate::{Grid, Interval, Side, curve::NurbsCurve, frame::norm, homogeneous, knots::acting};
 
 impl NurbsCurve {
     /// Point at parameter `t`; outside the domain the first and the last piece go on.
@@ -57,17 +57,38 @@ impl NurbsCurve {
 
     /// Point and first derivative at `t` of the piece of one span, without allocation.
     pub(in crate::curve) fn velocity_on(&self, span: usize, t: f64) -> [DVec3; 2] {
-        let [value, slope] = self.knots.with_slopes(span, t, |values, slopes| {
-            let mut sums = [DVec4::ZERO; 2];
-            let points = acting(&self.control_points, span, values);
-            for ((&point, &n), &dn) in points.iter().zip(values).zip(slopes) {
-                sums[0] += point * n;
-                sums[1] += point * dn;
-            }
-            sums
-        });
-        let point = homogeneous::project(value);
-        [point, (slope.truncate() - point * slope.w) / value.w]
+        self.knots.with_slopes(span, t, |values, slopes| {
+            velocity(acting(&self.control_points, span, values), values, slopes)
+        })
+    }
+
+    /// The speeds at many parameters of the piece of one span, by [`Self::velocity_on`] to the last bit.
+    pub(in crate::curve) fn speeds_on(&self, span: usize, parameters: &[f64], speeds: &mut [f64]) {
+        let are_squares = match self.degree() {
+            1 => self.square_speeds::<2>(span, parameters, speeds),
+            2 => self.square_speeds::<3>(span, parameters, speeds),
+            3 => self.square_speeds::<4>(span, parameters, speeds),
+            _ => false,
+        };
+        for (speed, &t) in speeds.iter_mut().zip(parameters) {
+            let is_square = are_squares && speed.is_normal();
+            *speed = if is_square { speed.sqrt() } else { norm(self.velocity_on(span, t)[1]) };
+        }
+    }
+
+    /// The squares of speeds on a curve of degree N − 1, of parameters before the end of a span; whether they all are.
+    fn square_speeds<const N: usize>(
+        &self,
+        span: usize,
+        parameters: &[f64],
+        squares: &mut [f64],
+    ) -> bool {
+        let Some(points) = self.control_points[span + 1 - N..].first_chunk::<N>() else {
+            return false;
+        };
+        self.knots.make_of_slopes::<N>(span, parameters, squares, |values, slopes| {
+            velocity(points, values, slopes)[1].length_squared()
+        })
     }
 
     pub(crate) fn homogeneous_derivatives(&self, span: usize, t: f64, order: usize) -> Vec<DVec4> {
@@ -86,6 +107,51 @@ impl NurbsCurve {
         match n {
             0 => Vec::new(),
             _ => self.evaluator().points_at(&domain.steps(n - 1)),
+        }
+    }
+}
+
+/// Point and first derivative, of the control points that a basis acts on and of its derivatives.
+#[inline]
+fn velocity(points: &[DVec4], values: &[f64], slopes: &[f64]) -> [DVec3; 2] {
+    let mut sums = [DVec4::ZERO; 2];
+    for ((&point, &n), &dn) in points.iter().zip(values).zip(slopes) {
+        sums[0] += point * n;
+        sums[1] += point * dn;
+    }
+    let [value, slope] = sums;
+    let point = homogeneous::project(value);
+    [point, (slope.truncate() - point * slope.w) / value.w]
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, DVec4};
+
+    use crate::{KnotVector, curve::NurbsCurve, frame::norm};
+
+    #[test]
+    fn speeds_of_many_are_those_of_each_to_the_last_bit() {
+        for degree in 1..=5 {
+            let knots = KnotVector::uniform_clamped(degree, degree + 3, 2.0).expect("knots");
+            let point = |i: usize| {
+                let x = i as f64;
+                (DVec3::new(x, libm::sin(3.0 * x), 0.1 * x * x)).extend(1.0) * (1.0 + 0.3 * (x % 2.0))
+            };
+            let points: Vec<DVec4> = (0..degree + 3).map(point).collect();
+            let curve = NurbsCurve::new(knots, points).expect("a curve");
+            for span in curve.knots().spans() {
+                // The last is the end of the span, and of the last span that of the domain.
+                let parameters = curve.knots().span_interval(span).steps(9);
+                for parameters in [&parameters[..9], &parameters[..]] {
+                    let mut speeds = vec![0.0; parameters.len()];
+                    curve.speeds_on(span, parameters, &mut speeds);
+                    for (speed, &t) in speeds.iter().zip(parameters) {
+                        let one = norm(curve.velocity_on(span, t)[1]);
+                        assert_eq!(speed.to_bits(), one.to_bits(), "degree {degree} at {t}");
+                    }
+                }
+            }
         }
     }
 }

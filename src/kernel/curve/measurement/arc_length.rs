@@ -5,8 +5,11 @@ use glam::DVec3;
 use crate::{
     DomainError, GeomError, Interval,
     ceiling::{LENGTH_STEPS, QUICK_LENGTH_STEPS},
-    curve::{NurbsCurve, measurement::measure::quadrature},
-    numeric::newton::{NewtonStep, within_bracket, within_limits},
+    curve::NurbsCurve,
+    numeric::{
+        gauss_legendre::{self, SIXTEEN_NODES},
+        newton::{NewtonStep, within_bracket, within_limits},
+    },
     tolerance::{LAST_BIT, LENGTH_RELATIVE},
 };
 
@@ -41,8 +44,12 @@ impl NurbsCurve {
 
     /// The length from the start of a part to a parameter in it.
     fn length_by_one_rule(&self, part: Interval, t: f64) -> f64 {
-        let speed = self.speed_on(part);
-        Interval::new(part.start(), t).map_or(0.0, |interval| quadrature(&speed, interval))
+        let span = self.knots().span_at(part.at(0.5));
+        Interval::new(part.start(), t).map_or(0.0, |interval| {
+            gauss_legendre::integral_of_all(&SIXTEEN_NODES, interval, |nodes, speeds| {
+                self.speeds_on(span, nodes, speeds);
+            })
+        })
     }
 
     /// The parameter at a fraction of the length: Newton's method from linear interpolation.

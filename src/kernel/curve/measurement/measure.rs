@@ -230,6 +230,6 @@ fn refined(
 }
 
 /// The integral of a speed by one rule.
-pub(in crate::curve) fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
+fn quadrature(speed: &impl Fn(f64) -> f64, piece: Interval) -> f64 {
     gauss_legendre::integral(&SIXTEEN_NODES, piece, speed)
 }
