@@ -136,7 +136,8 @@ mod tests {
             let knots = KnotVector::uniform_clamped(degree, degree + 3, 2.0).expect("knots");
             let point = |i: usize| {
                 let x = i as f64;
-                (DVec3::new(x, libm::sin(3.0 * x), 0.1 * x * x)).extend(1.0) * (1.0 + 0.3 * (x % 2.0))
+                (DVec3::new(x, libm::sin(3.0 * x), 0.1 * x * x)).extend(1.0)
+                    * (1.0 + 0.3 * (x % 2.0))
             };
             let points: Vec<DVec4> = (0..degree + 3).map(point).collect();
             let curve = NurbsCurve::new(knots, points).expect("a curve");
