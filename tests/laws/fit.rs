@@ -470,9 +470,9 @@ fn noise_within_the_tolerance_is_neither_followed_nor_taken_for_corners() {
 fn as_many_control_points_as_points_stay_among_them() {
     for (n, degree) in [(30, 1), (50, 2), (100, 3), (100, 5), (400, 3)] {
         let points: Vec<DVec3> =
-            (0..n).map(|i| DVec3::new(f64::from(i), (f64::from(i) / 5.0).sin(), 0.0)).collect();
+            (0..n).map(|i| DVec3::new(f64::from(i), libm::sin(f64::from(i) / 5.0), 0.0)).collect();
         let uneven: Vec<DVec3> = (0..n)
-            .map(|i| DVec3::new(f64::from(i) + 0.4 * (f64::from(i) * 1.7).sin(), 0.0, 0.0))
+            .map(|i| DVec3::new(f64::from(i) + 0.4 * libm::sin(f64::from(i) * 1.7), 0.0, 0.0))
             .collect();
         let even: Vec<f64> = (0..n).map(|i| f64::from(i) / f64::from(n - 1)).collect();
         let chords = Parametrization::Chord.parameters(&uneven).unwrap();
