@@ -74,6 +74,8 @@ fn no_solid_has_a_face_that_narrows_to_a_point() {
     let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
     let hourglass = NurbsSurface::revolved(&waist.unwrap(), axis, TAU).unwrap();
     assert!(is_refused(&[whole(hourglass)]));
+    // A band lower than the tolerance narrows nowhere.
+    assert!(!is_refused(&[whole(NurbsSurface::cone(Frame::XY, [1.0; 2], 1e-7).unwrap())]));
 }
 
 #[test]

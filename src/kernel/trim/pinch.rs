@@ -58,11 +58,15 @@ impl ParameterPlane {
         let widths: Vec<f64> = places.iter().map(|&at| width(at)).collect();
         let last = places.len() - 1;
         let mut found: Vec<f64> = Vec::new();
-        if self.is_closed[across] && widths[0] <= widest {
+        let is_wide = |widths: &[f64]| widths.iter().any(|&width| widest < width);
+        if self.is_closed[across] && widths[0] <= widest && is_wide(&widths) {
             found.push(places[0]);
         }
         for i in 1..last {
             let [before, here, behind] = [widths[i - 1], widths[i], widths[i + 1]];
+            if !(is_wide(&widths[..i]) && is_wide(&widths[i + 1..])) {
+                continue;
+            }
             if here <= widest {
                 found.push(places[i]);
             } else if here <= before.min(behind) && here <= LEAST_SHARE * before.max(behind) {
