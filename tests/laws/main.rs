@@ -42,6 +42,7 @@ mod nearest;
 mod networks;
 mod offset_surface;
 mod parametric;
+mod pinched;
 mod places;
 mod planar;
 mod poles;

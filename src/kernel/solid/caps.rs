@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Solid, SolidError};
+use super::{Solid, SolidError, check_pinches};
 use crate::{
     Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance,
     curve::join_chain,
@@ -29,6 +29,7 @@ impl Solid {
     /// # Errors
     /// [`SolidError::UnevenRim`], [`SolidError::OpenRim`]; those of [`Self::new`] and [`Region::even_odd`].
     pub fn capped(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
+        check_pinches(faces, tolerance)?;
         Self::with_caps(faces, tolerance)?.uncrossed(tolerance)
     }
 

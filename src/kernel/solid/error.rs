@@ -46,6 +46,9 @@ pub enum SolidError {
     /// Faces that go through one another.
     #[error("the faces go through one another near {}; those of a solid meet in their edges alone", place(*point))]
     CrossesItself { point: DVec3 },
+    /// A face that narrows to a point.
+    #[error("the solid would touch itself at {}, where face [{face}] narrows to a point", place(*point))]
+    Pinched { face: usize, point: DVec3 },
     /// Faces that enclose nothing that is thicker than the tolerance.
     #[error(
         "what the faces enclose near {} is {} thick on average, less than the tolerance {}",

@@ -61,9 +61,11 @@ impl Solid {
     ///
     /// # Errors
     /// `FaceError::OpenShell`, `FaceError::CrowdedShell`, `FaceError::OneSided` of faces that do not close;
-    /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`], [`SolidError::CrossesItself`];
+    /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`], [`SolidError::CrossesItself`],
+    /// [`SolidError::Pinched`];
     /// `GeomError::Ended`.
     pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
+        check_pinches(faces, tolerance)?;
         let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
         Self::with_edges(faces, &edges, tolerance)?.uncrossed(tolerance)
     }
@@ -173,6 +175,21 @@ impl Solid {
         let faces = self.faces.iter().map(image).collect::<Result<_, GeomError>>()?;
         Ok(Self { faces, shells: self.shells.clone() })
     }
+}
+
+/// Refuses faces that narrow to a point, in which what they enclose touches itself.
+///
+/// # Errors
+/// [`SolidError::Pinched`].
+fn check_pinches(faces: &[Face], tolerance: Tolerance) -> Result<(), GeomError> {
+    let distance = tolerance.distance_for(box_around(faces).diagonal());
+    for (face, own) in faces.iter().enumerate() {
+        GeomError::go_on(1)?;
+        if let Some(point) = own.pinch(distance) {
+            return Err(SolidError::Pinched { face, point }.into());
+        }
+    }
+    Ok(())
 }
 
 /// The box around the surfaces of faces.

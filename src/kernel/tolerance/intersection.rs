@@ -194,3 +194,13 @@ pub(crate) const VERTEX_REACH: f64 = 4.0;
 ///
 /// Larger blames slivers for what else may fail; smaller tells open rims where the sides of slivers are one.
 pub(crate) const THIN_CUT: f64 = 8.0;
+
+/// How far beside a line of parameters that is a point the ways out of it are looked at, as a fraction of the domain.
+///
+/// Larger looks where the surface bends; smaller differences rounding.
+pub(crate) const PINCH_STEP: f64 = 1e-3;
+
+/// Unit vectors of such ways are one where they are nearer than this.
+///
+/// Larger takes sides that only touch there for one disc; smaller parts a disc that bends.
+pub(crate) const PINCH_ALIKE: f64 = 0.02;

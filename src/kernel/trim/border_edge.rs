@@ -108,7 +108,7 @@ impl<'e> NeighbourSearch<'e> {
     /// one is asked.
     ///
     /// # Errors
-    /// [`FaceError::CrowdedShell`] where several are beside all of them.
+    /// [`FaceError::CrowdedShell`], [`FaceError::NearEdges`] where several are beside all of them.
     pub(super) fn neighbour(
         &self,
         own: usize,
@@ -155,9 +155,27 @@ impl<'e> NeighbourSearch<'e> {
                 Ok(Some(FacePair { faces, must_turn: 0.0 < along.dot(way) }))
             }
             [] => Ok(None),
+            _ => Err(self.crowd(own, there.iter().map(|&(i, _)| i), point)),
+        }
+    }
+
+    /// That several others are at a point of an edge: in one place, or further apart than the tolerance.
+    fn crowd(
+        &self,
+        own: usize,
+        others: impl Iterator<Item = usize> + Clone,
+        point: DVec3,
+    ) -> GeomError {
+        let (edges, face) = (self.edges, self.edges[own].face);
+        let apart = others.clone().map(|i| (i, edges[i].nearest(point, self.distance).0));
+        match apart.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((other, gap)) if self.distance < gap => {
+                let faces = [face, edges[other].face];
+                FaceError::NearEdges { faces, gap, tolerance: self.distance, point }.into()
+            }
             _ => {
-                let faces = there.iter().map(|&(i, _)| edges[i].face).collect();
-                Err(FaceError::CrowdedShell { face: edges[own].face, others: faces, point }.into())
+                let others = others.map(|i| edges[i].face).collect();
+                FaceError::CrowdedShell { face, others, point }.into()
             }
         }
     }

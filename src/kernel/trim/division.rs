@@ -103,10 +103,11 @@ impl Division {
         beside
     }
 
-    /// Makes cells one part that are beside one another over a seam along which nothing cuts.
+    /// Makes cells one part that are beside one another over a seam along which nothing cuts, unless it is a point.
     fn join_over_seams(&mut self, plane: &ParameterPlane, tolerance: f64) {
         let (beside, bounds) = (self.beside(), plane.bounds());
-        for across in (0..2).filter(|&i| plane.is_closed[i]) {
+        for across in (0..2).filter(|&i| plane.is_closed[i] && !plane.has_point_seam(i, tolerance))
+        {
             let along = 1 - across;
             // The stretches of both ends: from, to, the cell inside, whether something cuts along it.
             let stretches = [bounds.min[across], bounds.max[across]].map(|end| {

@@ -60,9 +60,14 @@ pub enum FaceError {
     NoPartAt { point: DVec3, distance: f64 },
     /// An edge of a face beside which there is none of another.
     #[error(
-        "the faces do not close: an edge{} is {} from the nearest other edge, at {}",
-        if *n_faces < 2 { String::new() } else { format!(" of face [{face}]") },
-        if gap.is_finite() { few_digits(*gap) } else { "without end".to_owned() }, place(*point)
+        "the faces do not close: {}{}, at {}",
+        if *n_faces < 2 { "an edge".to_owned() } else { format!("an edge of face [{face}]") },
+        if gap.is_finite() {
+            format!(" is {} from the nearest other edge", few_digits(*gap))
+        } else {
+            " is the only one there is".to_owned()
+        },
+        place(*point)
     )]
     OpenShell { face: usize, n_faces: usize, gap: f64, point: DVec3 },
     /// More than two faces at one edge.
@@ -71,6 +76,12 @@ pub enum FaceError {
         others.len(), place(*point)
     )]
     CrowdedShell { face: usize, others: Vec<usize>, point: DVec3 },
+    /// Edges that are hardly further apart than the tolerance.
+    #[error(
+        "edges of face [{}] and face [{}] are {} apart at {}, too near to be told apart at the tolerance {}",
+        faces[0], faces[1], few_digits(*gap), place(*point), few_digits(*tolerance)
+    )]
+    NearEdges { faces: [usize; 2], gap: f64, tolerance: f64, point: DVec3 },
     /// Faces that cannot look alike.
     #[error(
         "the faces have one side only, like a Möbius strip: face [{}] meets face [{}] turned over", faces[0], faces[1]
@@ -91,6 +102,12 @@ pub enum FaceError {
         few_digits(*excess)
     )]
     PartsMissArea { excess: f64 },
+    /// A part on both sides of a plane that should have cut it.
+    #[error(
+        "a part of the face reaches {} below the plane and {} above it, so that a part of the cut is missing, near {}",
+        few_digits(-heights[0]), few_digits(heights[1]), place(*point)
+    )]
+    AcrossPlane { heights: [f64; 2], point: DVec3 },
     /// A place on a cut.
     #[error("{} lies on a cut: it tells no part of the face", place(*point))]
     OnCut { point: DVec3 },

@@ -5,7 +5,7 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, `measure` integrals over faces, `strip` what those of others go
+//! `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, where surfaces narrow to a point by `pinch`, `measure` integrals over faces, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
 //! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
 //! `clip` what of curves lies on them, `shell` what they enclose together where `border_edge` finds that they are
@@ -27,6 +27,7 @@ mod lift;
 mod loops;
 mod measure;
 mod mesh;
+mod pinch;
 mod plane;
 mod pole;
 mod pull;

@@ -84,7 +84,13 @@ impl Face {
     /// [`FaceError::OffSurface`] of a curve beside it; those of `Surface::intersections`.
     pub fn split(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let division = self.divided(cutters, tolerance)?;
-        Ok(self.with_parts(&division))
+        let parts = self.with_parts(&division);
+        for cutter in cutters {
+            if let Cutter::Plane(plane) = cutter {
+                parts.iter().try_for_each(|part| part.beside(*plane, tolerance).map(|_| ()))?;
+            }
+        }
+        Ok(parts)
     }
 
     fn with_parts(&self, division: &Division) -> Vec<Self> {
@@ -168,10 +174,11 @@ impl Face {
             Some(division) => self.with_parts(&division),
         };
         let with_height = |part: Self| {
-            let height = part.height_above(plane, tolerance);
-            (part, height)
+            let height = part.beside(plane, tolerance)?;
+            Ok((part, height))
         };
-        Ok(PartsBesidePlane { parts: parts.into_iter().map(with_height).collect(), contacts })
+        let parts = parts.into_iter().map(with_height).collect::<Result<_, GeomError>>()?;
+        Ok(PartsBesidePlane { parts, contacts })
     }
 
     /// Some places of it, of its border among them.
@@ -182,9 +189,37 @@ impl Face {
 
     /// The farthest height over a plane of some places of a face that is on one side of it.
     pub(crate) fn height_above(&self, plane: Frame, tolerance: Tolerance) -> f64 {
-        let height = |place: DVec3| (place - plane.origin()).dot(plane.z());
-        let farther = |a: f64, b: f64| if a.abs() < b.abs() { b } else { a };
-        self.some_places(tolerance).into_iter().map(height).fold(0.0, farther)
+        let [lowest, highest] = self.heights_above(plane, tolerance).map(|(height, _)| height);
+        if highest < -lowest { lowest } else { highest }
+    }
+
+    /// The same of a part that the plane should have cut off.
+    ///
+    /// # Errors
+    /// [`FaceError::AcrossPlane`].
+    fn beside(&self, plane: Frame, tolerance: Tolerance) -> Result<f64, GeomError> {
+        let [(lowest, below), (highest, above)] = self.heights_above(plane, tolerance);
+        if MOST_BESIDE * self.distance(tolerance) < highest.min(-lowest) {
+            let heights = [lowest, highest];
+            let point = below + (above - below) * (lowest / (lowest - highest));
+            return Err(FaceError::AcrossPlane { heights, point }.into());
+        }
+        Ok(if highest < -lowest { lowest } else { highest })
+    }
+
+    /// The lowest and the highest of some of its places over a plane, each with its height, or a place in the plane.
+    fn heights_above(&self, plane: Frame, tolerance: Tolerance) -> [(f64, DVec3); 2] {
+        let mut ends = [(0.0, plane.origin()); 2];
+        for point in self.some_places(tolerance) {
+            let height = (point - plane.origin()).dot(plane.z());
+            if height < ends[0].0 {
+                ends[0] = (height, point);
+            }
+            if ends[1].0 < height {
+                ends[1] = (height, point);
+            }
+        }
+        ends
     }
 
     pub(super) fn distance(&self, tolerance: Tolerance) -> f64 {
@@ -249,7 +284,11 @@ impl Face {
             self.pulled(curves, height, index, limits)
         };
         match cutter {
-            Cutter::Curve(curve) => pulled(std::slice::from_ref(curve), None),
+            Cutter::Curve(curve) => {
+                let arcs = pulled(std::slice::from_ref(curve), None)?;
+                let is_on = |p: DVec3| curve.closest(p, limits[0]).distance <= limits[0];
+                self.with_pinches(arcs, limits[0], is_on)
+            }
             Cutter::Plane(plane) => Ok(self.plane_arcs(*plane, index, tolerance)?.0),
             Cutter::Faces(faces) => {
                 let of_face = |face: &Self| {
@@ -280,7 +319,12 @@ impl Face {
                         ((p - foot.point).dot(normal), normal)
                     })
                 };
-                pulled(&curves, Some(&height))
+                let is_on = |p: DVec3| {
+                    let foot = other.closest(p);
+                    foot.distance <= limits[0]
+                        && face.is_none_or(|face| face.has(foot.parameters, tolerance))
+                };
+                self.with_pinches(pulled(&curves, Some(&height))?, limits[0], is_on)
             }
         }
     }
@@ -297,6 +341,7 @@ impl Face {
         let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
         let limits = [self.distance(tolerance), tolerance.angle];
         let arcs = self.pulled(&found.curves, Some(&height), index, limits)?;
+        let arcs = self.with_pinches(arcs, limits[0], |p| height(p).0.abs() <= limits[0])?;
         let middle = |curve: &NurbsCurve| curve.point_at(curve.domain().at(0.5));
         let on_curves: Vec<DVec3> = found.curves.iter().map(middle).collect();
         Ok((arcs, [found.touches, found.uncertain, on_curves].concat()))

@@ -55,12 +55,14 @@ const fn of_region(error: &RegionError) -> Code {
 const fn of_face(error: &FaceError) -> Code {
     match error {
         FaceError::OffDomain { .. } => Code::OutsideDomain,
+        // Where an even number of faces meet, all of them may belong to what touches itself.
+        FaceError::CrowdedShell { others, .. } if others.len() % 2 == 1 => Code::NotManifold,
         FaceError::OpenShell { .. }
         | FaceError::CrowdedShell { .. }
         | FaceError::OneSided { .. } => Code::OpenShell,
-        FaceError::Narrow { .. } => Code::WithinTolerance,
+        FaceError::Narrow { .. } | FaceError::NearEdges { .. } => Code::WithinTolerance,
         FaceError::TouchesItself { .. } => Code::NotManifold,
-        FaceError::PartsMissArea { .. } => Code::Unproven,
+        FaceError::PartsMissArea { .. } | FaceError::AcrossPlane { .. } => Code::Unproven,
         FaceError::Open { .. }
         | FaceError::BothSides { .. }
         | FaceError::EndsInside { .. }
@@ -82,6 +84,7 @@ const fn of_solid(error: &SolidError) -> Code {
         SolidError::PointOnAxis { .. }
         | SolidError::ShellsMeet { .. }
         | SolidError::TouchesPlane { .. }
+        | SolidError::Pinched { .. }
         | SolidError::CrossesItself { .. } => Code::NotManifold,
         SolidError::Thin { .. }
         | SolidError::UnclearNesting { .. }

@@ -28,11 +28,18 @@ pub(super) fn of_face(error: &FaceError) -> String {
         FaceError::OpenShell { .. } => {
             "`solid(..., cap = true)` closes plane rims, `face(region(...))` a plane hole; faces of one cut share its edge"
         }
+        FaceError::CrowdedShell { others, .. } if others.len() % 2 == 1 => {
+            "bodies that share an edge are solids of their own: give the faces of each, or move one by more than the tolerance"
+        }
         FaceError::CrowdedShell { .. } | FaceError::OneSided { .. } => {
             "leave out the faces that do not belong to the border"
         }
-        FaceError::Narrow { .. } => "state a smaller `tolerance` at the top of the script",
-        FaceError::PartsMissArea { .. } => "please report it; moving a cutter a little may help",
+        FaceError::Narrow { .. } | FaceError::NearEdges { .. } => {
+            "state a smaller `tolerance` at the top of the script"
+        }
+        FaceError::PartsMissArea { .. } | FaceError::AcrossPlane { .. } => {
+            "please report it; moving a cutter a little may help"
+        }
         FaceError::TouchesItself { .. } => {
             "part the region there, or keep its holes apart by more than the tolerance"
         }
@@ -61,6 +68,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         }
         SolidError::CrossesItself { .. } => {
             "let the outline cross itself nowhere: `regions` of it are its parts, which `extrude` closes"
+        }
+        SolidError::Pinched { .. } => {
+            "widen it there by more than the tolerance, or make a solid of each side"
         }
         SolidError::Thin { .. } => "state a smaller `tolerance` at the top of the script",
         SolidError::UnclearNesting { .. } => "move one of the shells a little",

@@ -14,6 +14,9 @@ const SHORTEST_BETWEEN: f64 = 16.0;
 /// Radii of a place up to which a sample is near it: of longer steps a circle says less than the samples in them.
 const NEAR_RADII: f64 = 8.0;
 
+/// Radii of a spot within which a run from it back to it is rounding.
+const WITHIN_RADII: f64 = 2.0;
+
 /// Lines, and the spots through which none goes.
 #[derive(Debug, Default)]
 pub(super) struct ChainedLines {
@@ -36,7 +39,9 @@ pub(super) fn chained(
     // What runs inside a spot says nothing.
     let is_inside = |i: usize, groups: &mut EndGroups| {
         groups.are_joined(2 * i, 2 * i + 1)
-            && (contracted.contains(&i) || runs[i].length() <= 4.0 * tolerance)
+            && (contracted.contains(&i)
+                || runs[i].length() <= 4.0 * tolerance
+                || groups.hold(&runs[i], (i, runs.len()), spots))
     };
     let is_lost: Vec<bool> = (0..runs.len()).map(|i| is_inside(i, &mut groups)).collect();
     let ends: Vec<usize> = (0..2 * runs.len()).filter(|end| !is_lost[end / 2]).collect();
@@ -299,6 +304,26 @@ impl EndGroups {
             }
         }
         contracted
+    }
+
+    /// Whether all of a run, of its number among so many, is within the spots that it begins and ends in.
+    fn hold(
+        &mut self,
+        run: &BranchSamples,
+        (number, n_runs): (usize, usize),
+        spots: &[VanishingPlace],
+    ) -> bool {
+        let own = self.root(2 * number);
+        let its: Vec<&VanishingPlace> = spots
+            .iter()
+            .enumerate()
+            .filter(|&(k, _)| self.root(2 * n_runs + k) == own)
+            .map(|(_, spot)| spot)
+            .collect();
+        let is_within = |sample: &BranchSample| {
+            its.iter().any(|spot| sample.point.distance(spot.point) <= WITHIN_RADII * spot.radius)
+        };
+        run.samples.iter().all(is_within)
     }
 
     fn are_joined(&mut self, a: usize, b: usize) -> bool {

@@ -10,7 +10,7 @@ use crate::{
     frame::{unit, widest_angle},
     homogeneous,
     surface::Edge,
-    tolerance::{CONE_CLEARANCE, PLACE_RELATIVE},
+    tolerance::{CONE_CLEARANCE, LAST_BIT, PLACE_RELATIVE},
 };
 
 /// Two parts cross in at most one arc when their cones of normals together are narrower than this
@@ -20,6 +20,10 @@ const CLEAR: f64 = 0.4;
 /// Cones of normals of parts in which places are looked for where normals are parallel are together
 /// no wider than this: Newton's method finds them.
 const FLAT_ENOUGH: f64 = 0.8;
+
+/// Last bits of the places of a part, by its size, that its normals may be turned by, and the most that counts.
+const NORMAL_BITS: f64 = 8.0;
+const MOST_ROUNDING: f64 = 1e-8;
 
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
@@ -176,7 +180,8 @@ impl SurfacePart {
 
     /// Whether two parts cross in at most one arc, and never against its direction.
     pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
-        self.angle + other.angle < CLEAR * self.axis.cross(other.axis).length()
+        let spread = self.angle + other.angle + self.rounding_beside(other);
+        spread < CLEAR * self.axis.cross(other.axis).length()
     }
 
     /// Whether its normals are all on one side of a plane, so that it does not turn over.
@@ -188,7 +193,13 @@ impl SurfacePart {
     pub(super) fn may_touch(&self, other: &Self) -> bool {
         let between = libm::asin(self.axis.cross(other.axis).length().min(1.0));
         let spread = self.angle + other.angle;
-        spread <= FLAT_ENOUGH && between <= spread
+        spread <= FLAT_ENOUGH && between <= spread + self.rounding_beside(other)
+    }
+
+    /// By how much rounding of their points may turn the normals of two parts, radians.
+    fn rounding_beside(&self, other: &Self) -> f64 {
+        let share = |part: &Self| part.bounds.magnitude() / part.bounds.diagonal();
+        (NORMAL_BITS * LAST_BIT * share(self).max(share(other))).min(MOST_ROUNDING)
     }
 
     /// Whether parameters are within it or beside it.

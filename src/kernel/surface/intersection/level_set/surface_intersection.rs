@@ -72,25 +72,48 @@ impl Surface {
             return Ok(LevelSet::default());
         }
         let surfaces = [a, b];
-        let elsewhere = with_seams_elsewhere(&surfaces, CONTACT_SHARE * tolerance);
-        // What both have along a seam of both is no edge of either.
-        let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], tolerance)?)
-            .then(|| Ok(surfaces.clone()));
-        let mut best: Option<Result<LevelSet, GeomError>> = None;
-        let [a, b] = [&surfaces[0], &surfaces[1]];
-        for surfaces in as_given.into_iter().chain(elsewhere) {
-            let found = shared(surfaces?, tolerance, size);
-            if verify::is_certain(&found, tolerance) {
-                return found.map(|found| a.with_exact_curves(b, found, tolerance));
+        match searched(&surfaces, tolerance, size) {
+            Err(GeomError::Picture(refused)) => {
+                let [a, b] = &surfaces;
+                match (refused, a.coaxial_circles(b, tolerance)) {
+                    (_, Some(curves)) => Ok(LevelSet { curves, ..LevelSet::default() }),
+                    (PictureError::TooTangled { point }, None)
+                        if a.is_coaxially_on(b, tolerance) =>
+                    {
+                        Err(PictureError::SurfacesRunTogether { point }.into())
+                    }
+                    (refused, None) => Err(refused.into()),
+                }
             }
-            best = Some(match best {
-                Some(best) => best.or_else(|refused| found.map_err(|_| refused)),
-                None => found,
-            });
+            found => found,
         }
-        let found = best.unwrap_or_else(|| shared(surfaces.clone(), tolerance, size));
-        found.map(|found| a.with_exact_curves(b, found, tolerance))
     }
+}
+
+/// What parts of two surfaces tell that they share.
+fn searched(
+    surfaces: &[Arc<NurbsSurface>; 2],
+    tolerance: f64,
+    size: f64,
+) -> Result<LevelSet, GeomError> {
+    let elsewhere = with_seams_elsewhere(surfaces, CONTACT_SHARE * tolerance);
+    // What both have along a seam of both is no edge of either.
+    let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], tolerance)?)
+        .then(|| Ok(surfaces.clone()));
+    let mut best: Option<Result<LevelSet, GeomError>> = None;
+    let [a, b] = [&surfaces[0], &surfaces[1]];
+    for surfaces in as_given.into_iter().chain(elsewhere) {
+        let found = shared(surfaces?, tolerance, size);
+        if verify::is_certain(&found, tolerance) {
+            return found.map(|found| a.with_exact_curves(b, found, tolerance));
+        }
+        best = Some(match best {
+            Some(best) => best.or_else(|refused| found.map_err(|_| refused)),
+            None => found,
+        });
+    }
+    let found = best.unwrap_or_else(|| shared(surfaces.clone(), tolerance, size));
+    found.map(|found| a.with_exact_curves(b, found, tolerance))
 }
 
 impl NurbsSurface {

@@ -273,10 +273,15 @@ impl SurfacePair<'_> {
         if self.share_area(seen) {
             return Some(TangentialContact::Area);
         }
+        let widest = MOST_REACH * self.size;
+        if strong.abs() * widest * widest <= self.contact {
+            // Where both are that near all over, what they bend by is rounding.
+            return None;
+        }
         if weak.abs() <= BEND_RELATIVE * strong.abs() {
             return Some(TangentialContact::Line);
         }
-        let reach = seen.reach(self.radius(seen, weak.abs(), MOST_REACH * self.size)?);
+        let reach = seen.reach(self.radius(seen, weak.abs(), widest)?);
         if 0.0 < weak * strong {
             return Some(TangentialContact::Point(reach));
         }

@@ -1,0 +1,204 @@
+//! Circles in which cylinders, cones, spheres and tori about one axis cross.
+//!
+//! Where they cross at so small an angle that no search tells the circles apart, such as a ball and the hole of a
+//! thin ring, the lines and circles that turn about the axis still do. Every circle is looked at before it is told.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec2, DVec3};
+
+use super::{AnalyticForm, AnalyticSurface};
+use crate::{
+    CircleForm, Frame, NurbsCurve, NurbsSurface, Tolerance, frame::norm, tolerance::CONTACT_SHARE,
+};
+
+/// Part of the tolerance by which axes that are one may miss one another.
+const AXIS_SHARE: f64 = 0.1 * CONTACT_SHARE;
+
+/// Surfaces that keep within so many tolerances of one another where they cross, or all but do, run together.
+const LEAST_DEPTH: f64 = 4.0;
+
+/// Places of a circle that are looked at.
+const N_LOOKS: u32 = 24;
+
+/// What turns about an axis, in the half plane of the distance from the axis and the height.
+#[derive(Clone, Copy, Debug)]
+enum MeridianLine {
+    /// Points with this product with a unit vector.
+    Straight {
+        normal: DVec2,
+        offset: f64,
+    },
+    Round {
+        center: DVec2,
+        radius: f64,
+    },
+}
+
+impl NurbsSurface {
+    /// The circles in which it crosses another surface about the same axis, along N × N of the two; none where they
+    /// have no common axis, only a part of a circle, or run together within some tolerances.
+    pub(in crate::surface) fn coaxial_circles(
+        &self,
+        other: &Self,
+        distance: f64,
+    ) -> Option<Vec<NurbsCurve>> {
+        let (axis, [one, another]) = self.meridians(other, distance)?;
+        let mut circles = Vec::new();
+        for place in one.places_on(another, LEAST_DEPTH * distance)? {
+            if place.x < -distance {
+                continue;
+            }
+            let center = axis.point(DVec3::Z * place.y);
+            let frame = axis.at(center);
+            let circle = (distance < place.x)
+                .then(|| NurbsCurve::ellipse(frame, [place.x; 2], CircleForm::NinePoint).ok())??;
+            if self.has_all_of(&circle, distance)? && other.has_all_of(&circle, distance)? {
+                circles.push(self.directed_across(other, circle)?);
+            }
+        }
+        Some(circles)
+    }
+
+    /// Whether both lie on one cylinder, cone, sphere or torus.
+    pub(in crate::surface) fn is_coaxially_on(&self, other: &Self, distance: f64) -> bool {
+        let meridians = self.meridians(other, distance);
+        meridians.is_some_and(|(_, [one, another])| one.is_near(another, distance))
+    }
+
+    /// The axis about which both turn, and what does so.
+    fn meridians(&self, other: &Self, distance: f64) -> Option<(Frame, [MeridianLine; 2])> {
+        let forms = [self.analytic(distance)?, other.analytic(distance)?];
+        let is_ball = |found: &&AnalyticSurface| matches!(found.form, AnalyticForm::Sphere { .. });
+        let axis = forms.iter().find(|found| !is_ball(found)).unwrap_or(&forms[0]).frame;
+        let allowed = AXIS_SHARE * distance;
+        let [one, another] = [0, 1].map(|i| MeridianLine::of(&forms[i], axis, allowed));
+        Some((axis, [one?, another?]))
+    }
+
+    /// Whether all of a curve is on the surface, false where nothing of it is; none of a part.
+    fn has_all_of(&self, curve: &NurbsCurve, distance: f64) -> Option<bool> {
+        let domain = curve.domain();
+        let mut places = (0..N_LOOKS).map(|i| {
+            let point = curve.point_at(domain.at(f64::from(i) / f64::from(N_LOOKS)));
+            self.closest(point).distance
+        });
+        let first = places.next()?;
+        let near = CONTACT_SHARE * distance;
+        match (first <= near, distance < first) {
+            (true, _) => places.all(|gap| gap <= near).then_some(true),
+            (_, true) => places.all(|gap| distance < gap).then_some(false),
+            _ => None,
+        }
+    }
+
+    /// A curve of both so that it runs along the product of their normals.
+    fn directed_across(&self, other: &Self, curve: NurbsCurve) -> Option<NurbsCurve> {
+        let derivatives = curve.derivatives_at(curve.domain().at(1.0 / TAU), 1);
+        let normal = |surface: &Self| {
+            let [u, v] = surface.closest(derivatives[0]).parameters;
+            surface.normal_at(u, v).ok()
+        };
+        let across = normal(self)?.cross(normal(other)?);
+        Some(if across.dot(derivatives[1]) < 0.0 { curve.reversed() } else { curve })
+    }
+}
+
+impl MeridianLine {
+    /// That of a surface about an axis; none of one about another.
+    fn of(found: &AnalyticSurface, axis: Frame, allowed: f64) -> Option<Self> {
+        let way = found.frame.origin() - axis.origin();
+        let height = way.dot(axis.z());
+        let is_on_axis = norm(way - axis.z() * height) <= allowed;
+        let sense = found.frame.z().dot(axis.z());
+        let is_along =
+            norm(found.frame.z() - axis.z() * sense.signum()) <= Tolerance::DEFAULT.angle;
+        let is_round = matches!(found.form, AnalyticForm::Sphere { .. });
+        if !is_on_axis || !(is_along || is_round) {
+            return None;
+        }
+        Some(match found.form {
+            AnalyticForm::Plane => Self::Straight { normal: DVec2::Y, offset: height },
+            AnalyticForm::Cylinder { radius } => {
+                Self::Straight { normal: DVec2::X, offset: radius }
+            }
+            AnalyticForm::Cone { radius, half_angle } => {
+                let (sine, cosine) = libm::sincos(half_angle);
+                let normal = DVec2::new(cosine, -sine * sense.signum());
+                Self::Straight { normal, offset: normal.dot(DVec2::new(radius, height)) }
+            }
+            AnalyticForm::Sphere { radius } => Self::Round { center: DVec2::Y * height, radius },
+            AnalyticForm::Torus { major, minor } => {
+                Self::Round { center: DVec2::new(major, height), radius: minor }
+            }
+        })
+    }
+
+    /// Whether both are one within a distance.
+    fn is_near(self, other: Self, distance: f64) -> bool {
+        match (self, other) {
+            (Self::Straight { normal, offset }, Self::Straight { normal: its, offset: away }) => {
+                normal.distance(its) <= Tolerance::DEFAULT.angle
+                    && (offset - away).abs() <= distance
+            }
+            (
+                Self::Round { center, radius },
+                Self::Round { center: its_center, radius: its_radius },
+            ) => center.distance(its_center) + (radius - its_radius).abs() <= distance,
+            _ => false,
+        }
+    }
+
+    /// The places of both; none where they keep, or pass one another, within a depth.
+    fn places_on(self, other: Self, depth: f64) -> Option<Vec<DVec2>> {
+        match (self, other) {
+            (Self::Straight { normal, offset }, Self::Straight { normal: its, offset: away }) => {
+                let sine = normal.perp_dot(its);
+                let is_clear = Tolerance::DEFAULT.angle.sqrt() < sine.abs();
+                is_clear.then(|| vec![(its.perp() * offset - normal.perp() * away) / -sine])
+            }
+            (Self::Straight { normal, offset }, Self::Round { center, radius })
+            | (Self::Round { center, radius }, Self::Straight { normal, offset }) => {
+                chord(center, radius, normal, offset - normal.dot(center), depth)
+            }
+            (
+                Self::Round { center, radius },
+                Self::Round { center: its_center, radius: its_radius },
+            ) => {
+                let way = its_center - center;
+                let length = way.length();
+                // How far the one reaches into the other, and out of it.
+                let into = radius + its_radius - length;
+                let out = length - (radius - its_radius).abs();
+                if into.abs().min(out.abs()) <= depth {
+                    return None;
+                }
+                if into < 0.0 || out < 0.0 {
+                    return Some(Vec::new());
+                }
+                let squares = length * length + (radius - its_radius) * (radius + its_radius);
+                chord(center, radius, way / length, 0.5 * squares / length, 0.0)
+            }
+        }
+    }
+}
+
+/// The places of a circle on a line at a distance from its centre; none where it is nearer to touching than a depth.
+fn chord(
+    center: DVec2,
+    radius: f64,
+    normal: DVec2,
+    distance: f64,
+    depth: f64,
+) -> Option<Vec<DVec2>> {
+    let inside = radius - distance.abs();
+    if inside.abs() <= depth {
+        return None;
+    }
+    if inside < 0.0 {
+        return Some(Vec::new());
+    }
+    let half = (inside * (radius + distance.abs())).sqrt();
+    let foot = center + normal * distance;
+    Some([half, -half].map(|along| foot + normal.perp() * along).to_vec())
+}
