@@ -4,6 +4,7 @@
 //! read data through, and write what the [`Report`] plans.
 
 mod call;
+mod exact_data;
 mod extra;
 mod file;
 #[cfg(feature = "cli")]

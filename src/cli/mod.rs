@@ -2,6 +2,7 @@
 //! files, the environment or the terminal.
 
 mod args;
+mod doubts;
 mod exit_status;
 mod explain;
 mod fmt;

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::{
-    imported::ImportFault,
+    import_fault::ImportFault,
     ir::{Dependency, Program},
     memory::{CacheRun, ResultId},
 };

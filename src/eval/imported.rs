@@ -7,6 +7,7 @@ use std::{
 
 use super::{
     globals::Globals,
+    import_fault::ImportFault,
     memory::{Fields, FileRead},
 };
 use crate::{diag::Diagnostic, value::Value};
@@ -30,22 +31,6 @@ pub(crate) struct ImportInstance {
     pub(super) reads: BTreeSet<FileRead>,
     /// The steps that it took.
     pub(super) n_steps: u64,
-}
-
-/// What is missing of an imported file.
-#[derive(Clone, Debug)]
-pub(super) struct ImportFault {
-    /// The first thing that went wrong.
-    pub(super) first: Box<Diagnostic>,
-    /// The names without a value; of a text with mistakes nobody knows all.
-    pub(super) lost: Option<BTreeSet<Arc<str>>>,
-}
-
-impl ImportFault {
-    /// Whether it may be its fault that a name means nothing.
-    pub(super) fn has_lost(&self, name: &str) -> bool {
-        self.lost.as_ref().is_none_or(|lost| lost.contains(name))
-    }
 }
 
 /// The place of an instance, which is made once.

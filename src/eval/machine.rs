@@ -14,7 +14,7 @@ use super::{
     env::Env,
     function::ScriptFunction,
     globals::Globals,
-    imported::ImportFault,
+    import_fault::ImportFault,
     index,
     ir::{BinaryOp, Block, CaptureSource, Expr, ExprKind, Group},
     memory::{Fields, FileRead},

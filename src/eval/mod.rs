@@ -20,6 +20,7 @@ mod file_run;
 mod function;
 mod globals;
 mod import;
+mod import_fault;
 mod import_instance;
 mod imported;
 mod index;

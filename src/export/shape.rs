@@ -7,7 +7,8 @@ use glam::DVec3;
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
     Bounds, GeomError, Mesh, SurfacePiece, TessellationOptions, Tolerance, facing_inward,
-    tessellate_any, tessellate_curve_any, tessellate_together, tolerance::DEFAULT_CHORD_RELATIVE,
+    tessellate_any, tessellate_curve_any, tessellate_together,
+    tolerance::{DEFAULT_CHORD_RELATIVE, SINGLE_ROUNDING},
 };
 
 /// A subject as a mesh format holds it.
@@ -92,7 +93,7 @@ impl Summary {
     pub(super) fn of_single(job: &Job, shapes: &[ShapedItem<'_>]) -> Self {
         let bounds = shapes.iter().filter_map(|shaped| Bounds::of(shaped.points().iter().copied()));
         let bounds = bounds.reduce(Bounds::union);
-        let rounding = bounds.map(|all| 0.5 * f64::from(f32::EPSILON) * all.magnitude());
+        let rounding = bounds.map(|all| SINGLE_ROUNDING * all.magnitude());
         let size = bounds.map_or(0.0, Bounds::diagonal);
         let tolerance = job.options.tolerance.unwrap_or(DEFAULT_CHORD_RELATIVE * size);
         Self { rounding: rounding.filter(|&rounding| tolerance < rounding), ..Self::of(shapes) }

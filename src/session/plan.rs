@@ -4,6 +4,7 @@ use std::{collections::HashMap, sync::Arc};
 
 use super::{
     File, Session,
+    exact_data::{NoData, data},
     options::options,
     path::{printable, reserved, safe_path},
 };
@@ -11,13 +12,13 @@ use crate::{
     diag::{Code, Diagnostic, Fix, Span, nearest},
     eval::{self, Exported},
     export::{FORMATS, Format, Item, Job, MeshMemory, Subject},
-    kernel::{Curve, Face, NurbsCurve, Region, Surface, Tolerance},
+    kernel::{Face, NurbsCurve, Region, Tolerance},
     limits::{
         Limits,
         work::{self, Watch},
     },
     syntax::ast::Unit,
-    value::{Function, Value, to_json},
+    value::Value,
 };
 
 /// What the files of a script have in common: unit and tolerance, what its functions need to answer, and
@@ -212,6 +213,19 @@ impl FormatMismatch {
         };
         Self { found: value.phrase(), hint }
     }
+
+    fn of_no_data(found: NoData<'_>) -> Self {
+        match found {
+            NoData::Function(function) => {
+                let found = format!("the function `{}`", function.signature());
+                Self { found, ..Self::of(&Value::Function(function.clone())) }
+            }
+            NoData::Parametric => Self {
+                found: "a parametric curve or surface, which is a function".to_owned(),
+                hint: "`to_nurbs(g, tolerance)` makes a NURBS of it".to_owned(),
+            },
+        }
+    }
 }
 
 /// The endings of some formats as a list for a sentence.
@@ -261,7 +275,7 @@ impl GatheredItems {
     ) -> Result<(), FormatMismatch> {
         let eval::ExportSubject { name, value, .. } = subject;
         if self.format.takes_data {
-            let data = data(&value.value)?;
+            let data = data(&value.value).map_err(FormatMismatch::of_no_data)?;
             self.push(name, subject, data);
             return Ok(());
         }
@@ -365,41 +379,5 @@ fn has_place(value: &Value) -> bool {
         Value::List(items) => items.numbers().is_none() && items.iter().any(has_place),
         Value::Record(record) => record.iter().any(|(_, member)| has_place(member)),
         other => subject(other).is_some_and(|subject| subject.is_geometry()),
-    }
-}
-
-/// A value as exact data, which holds everything but functions.
-fn data(value: &Value) -> Result<Subject, FormatMismatch> {
-    if let Some(function) = function_in(value) {
-        let found = format!("the function `{}`", function.signature());
-        let mismatch = FormatMismatch::of(&Value::Function(function.clone()));
-        return Err(FormatMismatch { found, ..mismatch });
-    }
-    if has_parametric(value) {
-        return Err(FormatMismatch {
-            found: "a parametric curve or surface, which is a function".to_owned(),
-            hint: "`to_nurbs(g, tolerance)` makes a NURBS of it".to_owned(),
-        });
-    }
-    Ok(Subject::Data(to_json(value)))
-}
-
-/// Whether a curve or surface in a value is a function.
-fn has_parametric(value: &Value) -> bool {
-    match value {
-        Value::Curve(Curve::Parametric(_)) | Value::Surface(Surface::Parametric(_)) => true,
-        Value::List(items) => items.iter().any(has_parametric),
-        Value::Record(record) => record.iter().any(|(_, value)| has_parametric(value)),
-        _ => false,
-    }
-}
-
-/// A function in a value.
-fn function_in(value: &Value) -> Option<&Function> {
-    match value {
-        Value::Function(function) => Some(function),
-        Value::List(items) => items.iter().find_map(function_in),
-        Value::Record(record) => record.iter().find_map(|(_, value)| function_in(value)),
-        _ => None,
     }
 }

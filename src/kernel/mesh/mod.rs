@@ -13,6 +13,7 @@
 //! `nesting` looks through, and takes away what of them is `flattened`.
 
 mod any;
+mod arc_places;
 mod bend;
 mod boolean;
 mod cell_bounds;
@@ -63,6 +64,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use super::{Bounds, CountError, GeomError, InputError, frame::unit, tolerance::UNIT_SLACK};
 
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
+pub(crate) use arc_places::BorderVertex;
 pub use cell_bounds::TessellationOptions;
 pub use distance::distance_to_polyline;
 pub use fault::{FaceFault, MeshError};
@@ -79,7 +81,7 @@ pub use tessellate::{
     tessellate, tessellate_all, tessellate_curve, tessellate_finely, tessellation_parameters,
 };
 pub use topology::{MeshCheck, Topology};
-pub(crate) use trimmed::{BorderVertex, PartLoops, PartsTessellation, tessellate_parts};
+pub(crate) use trimmed::{PartLoops, PartsTessellation, tessellate_parts};
 pub(crate) use weld::welded;
 
 /// Triangles over shared vertices, counter-clockwise seen from the side of the normals.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use super::{Mesh, trimmed::BorderVertex};
+use super::{Mesh, arc_places::BorderVertex};
 use crate::{Bounds, box_tree::BoxTree};
 
 /// A vertex by the bits of its coordinates and parameters.

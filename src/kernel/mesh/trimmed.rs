@@ -12,9 +12,9 @@ use glam::{DVec2, DVec3};
 
 use super::{
     Mesh, TessellationOptions,
+    arc_places::{BorderVertex, SharedLine, at, between},
     bend::DerivativeBounds,
     even_plane::EvenPlane,
-    legs::{SharedLine, at, between},
     pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
@@ -34,13 +34,6 @@ const WITHIN_PLACE: f64 = 4.0;
 
 /// Loops of one part, the outer one first; each by its arcs in the plane z = 0 of u and v.
 pub(crate) type PartLoops = Vec<Vec<NurbsCurve>>;
-
-/// A place on the border of a part: at which parameters of the surface, and where it is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct BorderVertex {
-    pub(crate) parameters: DVec2,
-    pub(crate) point: DVec3,
-}
 
 /// Parts of a surface that become triangles.
 pub(crate) struct PartsTessellation<'a> {

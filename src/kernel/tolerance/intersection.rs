@@ -204,3 +204,8 @@ pub(crate) const PINCH_STEP: f64 = 1e-3;
 ///
 /// Larger takes sides that only touch there for one disc; smaller parts a disc that bends.
 pub(crate) const PINCH_ALIKE: f64 = 0.02;
+
+/// The most that rounding of points is taken to turn normals of small parts by, radians.
+///
+/// Larger takes surfaces that cross for parallel ones; smaller takes parallel ones far from the origin for crossing.
+pub(crate) const NORMAL_ROUNDING: f64 = 1e-8;

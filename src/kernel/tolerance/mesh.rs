@@ -73,3 +73,8 @@ pub(crate) const PARALLEL_SINE: f64 = 1e-6;
 ///
 /// Larger leaves planes out that meet at an acute angle; smaller makes coordinates that lose digits.
 pub(crate) const CLEAR_SINE: f64 = 0.1;
+
+/// Nearer to an end of a leg than this part of it none is divided at the foot of a vertex.
+///
+/// Larger leaves legs that cross beside their ends; smaller makes legs as short as rounding.
+pub(crate) const LEG_MARGIN: f64 = 0.02;

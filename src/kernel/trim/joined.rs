@@ -20,11 +20,8 @@ use crate::{
     },
     sorting::sort_by,
     tessellate_all, tessellation_parameters,
-    tolerance::PARAMETER_RELATIVE,
+    tolerance::{LEG_MARGIN, PARAMETER_RELATIVE},
 };
-
-/// Nearer to an end of a leg than this part of it none is divided at the foot of a vertex.
-const LEG_MARGIN: f64 = 0.02;
 
 /// A surface, or a part of one, that becomes triangles.
 ///

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde_json::Value as Json;
 
-use super::{bpt, csv, dat, obj};
+use super::{bpt, csv, dat, obj, written_unit::compare_units};
 use crate::{
     diag::{Code, Diagnostic, Fix, Result, Span, Spanned, nearest},
     limits::{
@@ -136,19 +136,6 @@ fn json(text: &str, ctx: &mut Ctx<'_>) -> std::result::Result<Value, String> {
         compare_units(unit, ctx);
     }
     Ok(value)
-}
-
-/// Warns where a file was written in another unit than the script's.
-pub(super) fn compare_units(unit: &str, ctx: &mut Ctx<'_>) {
-    if unit == ctx.unit {
-        return;
-    }
-    let message = format!(
-        "the file was written in {unit}, and the script's unit is {}: its lengths are taken as they stand",
-        ctx.unit
-    );
-    let hint = "state the file's `unit` in the script, or `scale` what it holds";
-    ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, message).hint(hint));
 }
 
 /// Whether some number may be a length that is not known to be one.

@@ -23,6 +23,7 @@ mod table_rows;
 mod tessellate;
 mod union;
 mod volume;
+mod written_unit;
 
 use std::sync::Arc;
 

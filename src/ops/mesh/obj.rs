@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::{
-    load::compare_units,
     obj_lines::{ObjLines, whole_lines},
+    written_unit::compare_units,
 };
 use crate::{
     kernel::{GeomError, Mesh, split_polygon},

@@ -10,7 +10,7 @@ use crate::{
     frame::{unit, widest_angle},
     homogeneous,
     surface::Edge,
-    tolerance::{CONE_CLEARANCE, LAST_BIT, PLACE_RELATIVE},
+    tolerance::{CONE_CLEARANCE, LAST_BIT, NORMAL_ROUNDING, PLACE_RELATIVE},
 };
 
 /// Two parts cross in at most one arc when their cones of normals together are narrower than this
@@ -21,9 +21,8 @@ const CLEAR: f64 = 0.4;
 /// no wider than this: Newton's method finds them.
 const FLAT_ENOUGH: f64 = 0.8;
 
-/// Last bits of the places of a part, by its size, that its normals may be turned by, and the most that counts.
+/// Last bits of the places of a part, by its size, that its normals may be turned by.
 const NORMAL_BITS: f64 = 8.0;
-const MOST_ROUNDING: f64 = 1e-8;
 
 /// A part of a surface, between parameters.
 #[derive(Clone, Debug)]
@@ -199,7 +198,7 @@ impl SurfacePart {
     /// By how much rounding of their points may turn the normals of two parts, radians.
     fn rounding_beside(&self, other: &Self) -> f64 {
         let share = |part: &Self| part.bounds.magnitude() / part.bounds.diagonal();
-        (NORMAL_BITS * LAST_BIT * share(self).max(share(other))).min(MOST_ROUNDING)
+        (NORMAL_BITS * LAST_BIT * share(self).max(share(other))).min(NORMAL_ROUNDING)
     }
 
     /// Whether parameters are within it or beside it.
