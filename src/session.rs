@@ -98,6 +98,8 @@ pub struct Report {
     pub(crate) kept: eval::KeptGlobals,
     /// Meshes of its files.
     pub(crate) meshes: MeshMemory,
+    /// Errors outside of its tests.
+    n_untested_errors: usize,
 }
 
 /// A value of a script, with what it needs to answer.
@@ -152,6 +154,11 @@ impl Report {
     pub fn n_with(&self, work: Work) -> usize {
         self.definitions.iter().filter(|defined| defined.work == work).count()
     }
+}
+
+/// How many findings are errors.
+fn n_errors(diagnostics: &[Diagnostic]) -> usize {
+    diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
 }
 
 impl Default for Session {
@@ -315,6 +322,8 @@ impl Session {
         let document = (outcome.unit, outcome.tolerance);
         let document_kept = (document, &outcome.kept, &meshes);
         let events = self.events(outcome.outputs, document_kept, &mut diagnostics);
+        eval::in_order(&mut diagnostics);
+        let n_untested_errors = n_errors(&diagnostics);
         let tested = outcome
             .tests
             .into_iter()
@@ -328,6 +337,7 @@ impl Session {
             unknown_settings: outcome.unknown_settings,
             kept: outcome.kept,
             meshes,
+            n_untested_errors,
             ..self.findings(sources, diagnostics)
         };
         self.compose(&mut report, (name, text), (files, limits));
@@ -337,6 +347,7 @@ impl Session {
 
     /// What was found in a script that does not run.
     fn findings(&self, sources: Sources, diagnostics: Vec<Diagnostic>) -> Report {
+        let n_untested_errors = n_errors(&diagnostics);
         Report {
             sources,
             diagnostics,
@@ -347,6 +358,7 @@ impl Session {
             unknown_settings: Vec::new(),
             kept: eval::KeptGlobals::default(),
             meshes: MeshMemory::default(),
+            n_untested_errors,
         }
     }
 

@@ -379,8 +379,8 @@ def arc(center: PointLike, radius: Quantity, from_: Quantity, to: Quantity, *, n
     """Exact arc of a circle as a rational curve on 0..1, in equal pieces of at most a quarter
     turn.
 
-    It runs counter-clockwise about the normal from the angle `from` up to the next place of
-    the angle `to`; angles count from x, which is (1, 0, 0) made normal to the normal unless
+    It runs counter-clockwise about the normal from the angle `from` up to the angle `to`, or
+    where that is less up to its next place, once around at most; angles count from x, which is (1, 0, 0) made normal to the normal unless
     given, or (0, 1, 0) where those are parallel. Piegl & Tiller, *The NURBS Book*, A7.1.
 
     :param center: The centre of its circle.
@@ -1618,7 +1618,7 @@ if TYPE_CHECKING:
 def decompose(*args: Any, c: Any = None, s: Any = None) -> Any:
     """Bézier curves that a curve consists of, each on its own part of the domain.
 
-    Exact. `join` makes the same curve of them. Piegl & Tiller, *The NURBS Book*, A5.6.
+    Exact. `join` makes the same curve of them, unless it jumps. Piegl & Tiller, *The NURBS Book*, A5.6.
 
     :param c: The curve.
 
@@ -1837,7 +1837,7 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> list[Curve]:
 
     A loop without corners is one closed curve. A seam over which the face goes is no border. Along lines
     of constant parameters, on planes, and where they are conics, edges are exact; elsewhere cubic or quintic
-    splines within an eighth of the document's tolerance.
+    splines within an eighth of the document's tolerance; `report` of an edge bounds how far from the surface it is.
     :param f: The face.
 
     In scripts: ``edges(f: face) -> list of curves``
@@ -1846,7 +1846,7 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> list[Curve]:
 
     Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
     constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth
-    of the document's tolerance.
+    of the document's tolerance; `report` of an edge bounds how far from both faces it is.
     :param s: The solid.
 
     In scripts: ``edges(s: solid) -> list of curves``
@@ -2610,7 +2610,7 @@ def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = 
     is. A line along which they only touch is among the curves, and a warning
     tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
     is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
-    within a part of the tolerance.
+    within a part of the tolerance. `report` of a curve tells whether it is proven, and how far from both surfaces it may be.
     Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     :param a: A surface or face.
@@ -2775,7 +2775,7 @@ def join(*args: Any, curves: Any = None, patches: Any = None, texts: Any = None,
     bicubic patches that meet C² become one spline surface with simple knots. Gaps up to the
     document's tolerance are closed halfway. One strip of patches is `[[a, b]]` along v and
     `[[a], [b]]` along u. Linkeová, *Curves and Surfaces for Computer Graphics*, §3.7.
-    :param patches: The patches, two or more.
+    :param patches: The patches, of which a single one stays as it is.
 
     In scripts: ``join(patches: list of lists of surfaces) -> surface``
 
@@ -2933,7 +2933,7 @@ def load(path: str) -> Any:
     Lednicer, around the profile from the trailing edge over the upper side. `.json` gives what an
     export wrote, to the same bits, or lists and records of other JSON. Of an export in another unit the
     columns of tables are brought into the document's, all other numbers are taken as they stand, with a
-    warning. Files are text in UTF-8, or in UTF-16 with its byte-order mark.
+    warning; so are those of a mesh whose `.obj` says `# unit: m`. Files are text in UTF-8, or in UTF-16 with its byte-order mark.
     The example's `points.csv` has the lines `x,y`, `0,0`, `1,2` and `4,3`.
 
     :param path: The path.
@@ -2943,7 +2943,7 @@ def load(path: str) -> Any:
     return _called("load", (), {"path": path})
 
 
-def loft(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: PointLike | Curve | None = None, end_tangent: PointLike | Curve | None = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
+def loft(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None, at: Any = None, parameters: Any = None, closed: Any = None, align: Any = None, start_tangent: Any = None, end_tangent: Any = None, shape: Any = None, pairing: Any = None, tolerance: Any = None) -> Any:
     """Surface through sections: u along them, v from one to the next.
 
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
@@ -2976,8 +2976,23 @@ def loft(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     :param tolerance: How far sections may move so that the surface has fewer knots along them.
 
     In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
+
+    Solid through regions, whose ends are the first and the last of them.
+
+    Their borders are skinned as curves are, the outer ones, and holes in their order: u along them, v from one region
+    to the next. All regions have as many holes. A closed skin goes on from the last region to the first, without
+    ends.
+    :param sections: The regions in order, two or more.
+    :param degree: The degree along v, from 1; fewer regions than degree + 1 lower it. Default: ``3``.
+    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"average"``.
+    :param closed: Whether the solid goes on from the last region to the first, as smooth there as anywhere. Default: ``false``.
+    :param align: Whether borders are turned around, and seams moved, to run beside their neighbours. Default: ``true``.
+    :param shape: Whether the sides may swing out between regions. Default: ``"free"``.
+    :param tolerance: How far borders may move so that the sides have fewer knots along them.
+
+    In scripts: ``skin(sections: list of regions, degree: integer = 3, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, shape: "free" | "monotone" = "free", tolerance: length = none) -> solid``
     """
-    return _called("loft", (), {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})  # type: ignore[no-any-return]
+    return _called("loft", args, {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})
 
 
 def log10(x: float) -> float:
@@ -3879,6 +3894,13 @@ def report(g: Any) -> Any:
     A `deviation` is `{max, mean, at}` with `at` the parameter where it is largest; of one that
     is proven instead of measured only its bound is told.
 
+    Of the curves that `intersect` gives of two surfaces, `section` of one, and `edges`, it tells what they are on
+    them: the `kind` (`"crossing"`, `"border"` where a surface ends or `"contact"` where they only touch), a bound of
+    the `deviation` from both (`none` where nothing is known), whether it is `proven` that they cross in one smooth
+    arc within `radius` of it (of a border that the deviation is within the tolerance), its curves of parameters
+    `on` both, over the parameter of the curve, in the plane of u and v, and what it is `between` (`"border"`,
+    `"junction"`, `"closed"`, `"seam"`). It is found when somebody asks.
+
     Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
     and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
     edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
@@ -4109,7 +4131,8 @@ def section(*args: Any, g: Any = None, plane: Any = None, s: Any = None) -> Any:
     about by their length. To their left, seen from the side of the surface's normal, the surface is above the
     plane. They end at the surface's boundary, and where several cross. A patch that lies in the plane is
     told by its border; of a touch in a single point a warning tells. A plane that misses gives an
-    empty list. A parametric surface is cut as a spline within a quarter of the tolerance.
+    empty list. A parametric surface is cut as a spline within a quarter of the tolerance. `report` of a curve tells
+    whether it is proven, and how far from the surface and the plane it may be.
     Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988).
     :param g: The surface, or a part of one.
     :param plane: The plane.
@@ -4207,7 +4230,7 @@ def sinh(x: float) -> float:
     return _called("sinh", (), {"x": x})  # type: ignore[no-any-return]
 
 
-def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = None, at: Any = None, parameters: Any = None, closed: bool | None = None, align: bool | None = None, start_tangent: PointLike | Curve | None = None, end_tangent: PointLike | Curve | None = None, shape: str | None = None, pairing: str | None = None, tolerance: Quantity | None = None) -> Surface:
+def skin(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None, at: Any = None, parameters: Any = None, closed: Any = None, align: Any = None, start_tangent: Any = None, end_tangent: Any = None, shape: Any = None, pairing: Any = None, tolerance: Any = None) -> Any:
     """Surface through sections: u along them, v from one to the next.
 
     Sections of other degrees and knots are made compatible, exactly; rational ones are skinned
@@ -4240,8 +4263,23 @@ def skin(sections: Any, *, degree: float | None = None, spine: Curve | None = No
     :param tolerance: How far sections may move so that the surface has fewer knots along them.
 
     In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
+
+    Solid through regions, whose ends are the first and the last of them.
+
+    Their borders are skinned as curves are, the outer ones, and holes in their order: u along them, v from one region
+    to the next. All regions have as many holes. A closed skin goes on from the last region to the first, without
+    ends.
+    :param sections: The regions in order, two or more.
+    :param degree: The degree along v, from 1; fewer regions than degree + 1 lower it. Default: ``3``.
+    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"average"``.
+    :param closed: Whether the solid goes on from the last region to the first, as smooth there as anywhere. Default: ``false``.
+    :param align: Whether borders are turned around, and seams moved, to run beside their neighbours. Default: ``true``.
+    :param shape: Whether the sides may swing out between regions. Default: ``"free"``.
+    :param tolerance: How far borders may move so that the sides have fewer knots along them.
+
+    In scripts: ``skin(sections: list of regions, degree: integer = 3, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, shape: "free" | "monotone" = "free", tolerance: length = none) -> solid``
     """
-    return _called("skin", (), {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})  # type: ignore[no-any-return]
+    return _called("skin", args, {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})
 
 
 def solid(g: Surface | Face | Solid | Sequence[Surface | Face], *, cap: bool | None = None) -> Solid:
@@ -4325,7 +4363,7 @@ def sphere(center: PointLike, radius: Quantity) -> Surface:
 def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None, v: Any = None, by: Any = None, text: Any = None, separator: Any = None) -> Any:
     """Both parts of a curve at a parameter, `[left, right]`, each with the parameters it had.
 
-    Exact. `join` makes the same curve of them.
+    Exact. `join` makes the same curve of them, unless it jumps.
     A parametric curve gives two of its kind.
     Piegl & Tiller, *The NURBS Book*, §5.2.
 
@@ -4344,16 +4382,16 @@ def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None
 
     In scripts: ``split(s: surface, u: number = none, v: number = none) -> list of surfaces``
 
-    All parts into which curves on it, planes and surfaces divide a surface or face.
+    All parts into which curves on it, planes, surfaces and solids divide a surface or face.
 
     Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
     are those of the true curves. A part goes over the seam of a closed surface as over any other place.
     The order of the parts depends on the surface and the cutters alone; `trim` takes the part beside a point. A
     cutter that misses the face, ends inside of it, or shares an area with it is an error.
     :param s: The surface or face.
-    :param by: A curve on it, a plane, a surface or face, or a list of them.
+    :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
 
-    In scripts: ``split(s: surface | face, by: plane | surface | face | curve | list of planes, surfaces, faces or curves) -> list of faces``
+    In scripts: ``split(s: surface | face, by: plane | surface | face | curve | solid | list of planes, surfaces, faces, curves or solids) -> list of faces``
 
     Parts of a text between separators, `["a", "b"]` of "a,b".
 
@@ -4456,7 +4494,16 @@ def swap_uv(s: Surface) -> Surface:
     return _called("swap_uv", (), {"s": s})  # type: ignore[no-any-return]
 
 
-def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, rail: Curve | Sequence[Curve] | None = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Surface:
+if TYPE_CHECKING:
+
+    @overload
+    def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, rail: Curve | Sequence[Curve] | None = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Surface: ...
+
+    @overload
+    def sweep(r: Region, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, corner: str | None = None, tolerance: Quantity | None = None) -> Solid: ...
+
+
+def sweep(*args: Any, section: Any = None, path: Any = None, frame: Any = None, scale: Any = None, twist: Any = None, up: Any = None, rail: Any = None, corner: Any = None, keep_path: Any = None, sections: Any = None, method: Any = None, tolerance: Any = None, r: Any = None) -> Any:
     """Surface that a section leaves behind along a path: u along the section, v along the path,
     with the path's parameter.
 
@@ -4492,8 +4539,25 @@ def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any =
     :param tolerance: How far the surface may be from the true one; the document's tolerance.
 
     In scripts: ``sweep(section: curve, path: curve, frame: "translate" | "fixed" | "frenet" | "projection" | "rotation_minimizing" = "rotation_minimizing", scale: number | point | list of numbers without units or points | function = none, twist: angle | function = none, up: point = none, rail: curve | list of curves = none, corner: "error" | "miter" = "error", keep_path: bool = true, sections: integer = none, method: "placements" | "offsets" = "placements", tolerance: length = none) -> surface``
+
+    Solid that a region leaves behind along a path, with both ends closed by the region as it stands there; along a
+    closed path there are none, unless it comes back in another size.
+
+    The region lies across the path, in the plane x = 0, as the section of a swept surface does: its y is to the left
+    of the way and its z up, its origin on the path. Each of its borders leaves the surface behind that `sweep` of it
+    makes, holes too.
+    :param r: The region, in the plane x = 0.
+    :param path: The path, without cusps.
+    :param frame: How the region turns with the path. Default: ``"rotation_minimizing"``.
+    :param scale: The size along the way: a factor, one for each axis as a point, a list of these at even parameters with straight lines between, or a function of v.
+    :param twist: The turn about the path: an angle that is reached at the end, or a function of v.
+    :param up: Where z points at the start; (0, 0, 1), or (1, 0, 0) where the path starts along it.
+    :param corner: What happens at corners of the path: an error, or both sides meet in the plane that halves the angle. Default: ``"error"``.
+    :param tolerance: How far the sides may be from the true ones; the document's tolerance.
+
+    In scripts: ``sweep(r: region, path: curve, frame: "translate" | "fixed" | "frenet" | "projection" | "rotation_minimizing" = "rotation_minimizing", scale: number | point | list of numbers without units or points | function = none, twist: angle | function = none, up: point = none, corner: "error" | "miter" = "error", tolerance: length = none) -> solid``
     """
-    return _called("sweep", (), {"section": section, "path": path, "frame": frame, "scale": scale, "twist": twist, "up": up, "rail": rail, "corner": corner, "keep_path": keep_path, "sections": sections, "method": method, "tolerance": tolerance})  # type: ignore[no-any-return]
+    return _called("sweep", args, {"section": section, "path": path, "frame": frame, "scale": scale, "twist": twist, "up": up, "rail": rail, "corner": corner, "keep_path": keep_path, "sections": sections, "method": method, "tolerance": tolerance, "r": r})
 
 
 def swung(profile: Curve, trajectory: Curve, *, scale: float | None = None) -> Surface:
@@ -4662,7 +4726,7 @@ if TYPE_CHECKING:
 def to_bezier(*args: Any, c: Any = None, s: Any = None) -> Any:
     """Bézier curves that a curve consists of, each on its own part of the domain.
 
-    Exact. `join` makes the same curve of them. Piegl & Tiller, *The NURBS Book*, A5.6.
+    Exact. `join` makes the same curve of them, unless it jumps. Piegl & Tiller, *The NURBS Book*, A5.6.
 
     :param c: The curve.
 
@@ -4855,13 +4919,14 @@ def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = N
     Part of a surface or face beside a point, of those into which cutters divide it as `split` does.
 
     `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
-    is where its normal points. Where more than one part is on that side, all of them are the answer, as a list.
-    A plane that misses leaves all of the face, or is an error where that is on the other side.
+    is where its normal points; or `"inside"` or `"outside"` where it is a solid. Where more than one part is on
+    that side, all of them are the answer, as a list. A plane or solid that misses leaves all of the face, or is an
+    error where that is on the other side.
     :param s: The surface or face.
-    :param by: A curve on it, a plane, a surface or face, or a list of them.
+    :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
     :param keep: What stays.
 
-    In scripts: ``trim(s: surface | face, by: plane | surface | face | curve | list of planes, surfaces, faces or curves, keep: point | "above" | "below") -> face | list of faces``
+    In scripts: ``trim(s: surface | face, by: plane | surface | face | curve | solid | list of planes, surfaces, faces, curves or solids, keep: point | "above" | "below" | "inside" | "outside") -> face | list of faces``
     """
     return _called("trim", args, {"c": c, "range": range, "s": s, "u": u, "v": v, "by": by, "keep": keep})
 

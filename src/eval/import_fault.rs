@@ -9,13 +9,15 @@ use crate::diag::Diagnostic;
 pub(super) struct ImportFault {
     /// The first thing that went wrong.
     pub(super) first: Box<Diagnostic>,
-    /// The names without a value; of a text with mistakes nobody knows all.
-    pub(super) lost: Option<BTreeSet<Arc<str>>>,
+    /// The names without a value.
+    pub(super) lost: BTreeSet<Arc<str>>,
+    /// Whether nothing of it can be used: in a text with mistakes of form names may mean something else.
+    pub(super) is_whole: bool,
 }
 
 impl ImportFault {
     /// Whether it may be its fault that a name means nothing.
     pub(super) fn has_lost(&self, name: &str) -> bool {
-        self.lost.as_ref().is_none_or(|lost| lost.contains(name))
+        self.lost.contains(name)
     }
 }

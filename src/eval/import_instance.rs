@@ -141,7 +141,7 @@ impl Library<'_> {
         parameters: &[(Spanned<Arc<str>>, Spanned<Value>)],
         env: Env<'_>,
     ) -> Arc<ImportInstance> {
-        let LibraryFile { path, program, fault, .. } = &self.files[file];
+        let LibraryFile { path, program, fault, is_garbled, .. } = &self.files[file];
         let recall = self.settings.recall;
         let home = Globals::new(program, folder(path), recall);
         let env = Env { tolerance: program.tolerance, library: Some(self), ..env };
@@ -159,12 +159,8 @@ impl Library<'_> {
             let shown = shown(program).filter(|(idx, _)| home.value(*idx).is_none());
             shown.map(|(_, name)| name).collect()
         };
-        let fault = match fault {
-            Some(first) => Some(ImportFault { first: first.clone(), lost: None }),
-            None => {
-                failed.cloned().map(Box::new).map(|first| ImportFault { first, lost: Some(lost()) })
-            }
-        };
+        let first = fault.clone().or_else(|| failed.cloned().map(Box::new));
+        let fault = first.map(|first| ImportFault { first, lost: lost(), is_whole: *is_garbled });
         let shown = public(program, &home);
         let is_doubtful = !findings.is_empty() || 0 < worker.machine.n_doubtful;
         let Worker { reads, n_steps, .. } = worker;

@@ -35,6 +35,8 @@ pub(super) struct LibraryFile {
     pub(super) program: Program,
     /// Its first mistake that was found without running it.
     pub(super) fault: Option<Box<Diagnostic>>,
+    /// Whether its text has mistakes of form, so that names may mean something else than they would.
+    pub(super) is_garbled: bool,
     /// The identity of its program, once somebody asked for it.
     pub(super) identity: OnceLock<u64>,
 }
@@ -226,9 +228,10 @@ impl<'a> Library<'a> {
         findings.extend(lowered.diagnostics);
         let is_error = |found: &&Diagnostic| found.severity == Severity::Error;
         let fault = findings.iter().find(is_error).cloned().map(Box::new);
+        let is_garbled = !faults.is_empty();
         findings.into_iter().for_each(|finding| self.report(finding));
         let (path, program, identity) = (path.to_owned(), lowered.program, OnceLock::new());
-        self.files.push(LibraryFile { path, program, fault, identity });
+        self.files.push(LibraryFile { path, program, fault, is_garbled, identity });
         Ok(self.files.len() - 1)
     }
 

@@ -202,8 +202,14 @@ pub struct Outcome {
 /// Puts findings into the order of the source, whatever thread they come from, each once: a
 /// mistake in a function is told for the first call that meets it.
 pub(crate) fn in_order(diagnostics: &mut Vec<Diagnostic>) {
+    let labels = |found: &Diagnostic| -> Vec<(Span, String)> {
+        found.others.iter().map(|label| (label.span, label.text.clone())).collect()
+    };
+    // Of one mistake that is told with different labels the shortest list stays.
     sort_by(diagnostics, |a, b| {
-        (a.primary.span, a.code, &a.message).cmp(&(b.primary.span, b.code, &b.message))
+        let own = (a.primary.span, a.code, &a.message, a.others.len());
+        own.cmp(&(b.primary.span, b.code, &b.message, b.others.len()))
+            .then_with(|| labels(a).cmp(&labels(b)))
     });
     diagnostics.dedup_by(|b, a| {
         (a.primary.span, a.code, &a.message) == (b.primary.span, b.code, &b.message)

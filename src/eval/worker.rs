@@ -115,7 +115,7 @@ impl<'a> Worker<'a> {
             (Some(value), None) => Kept::Whole(value),
             (Some(value), Some(fault)) => {
                 self.diagnostics.push(fault.first.as_ref().clone());
-                Kept::Part(value, fault)
+                if fault.is_whole { Kept::Failed } else { Kept::Part(value, fault) }
             }
         }
     }

@@ -7,8 +7,7 @@ use glam::DVec3;
 use super::{ExportError, Item, Job, Subject, Summary};
 use crate::kernel::{
     Bounds, GeomError, Mesh, SurfacePiece, TessellationOptions, Tolerance, facing_inward,
-    tessellate_any, tessellate_curve_any, tessellate_together,
-    tolerance::{DEFAULT_CHORD_RELATIVE, SINGLE_ROUNDING},
+    tessellate_any, tessellate_curve_any, tessellate_together, tolerance::DEFAULT_CHORD_RELATIVE,
 };
 
 /// A subject as a mesh format holds it.
@@ -91,12 +90,13 @@ impl Summary {
 
     /// The same of a file of single precision.
     pub(super) fn of_single(job: &Job, shapes: &[ShapedItem<'_>]) -> Self {
-        let bounds = shapes.iter().filter_map(|shaped| Bounds::of(shaped.points().iter().copied()));
-        let bounds = bounds.reduce(Bounds::union);
-        let rounding = bounds.map(|all| SINGLE_ROUNDING * all.magnitude());
-        let size = bounds.map_or(0.0, Bounds::diagonal);
+        let points = || shapes.iter().flat_map(|shaped| shaped.points().iter().copied());
+        let size = Bounds::of(points()).map_or(0.0, Bounds::diagonal);
         let tolerance = job.options.tolerance.unwrap_or(DEFAULT_CHORD_RELATIVE * size);
-        Self { rounding: rounding.filter(|&rounding| tolerance < rounding), ..Self::of(shapes) }
+        let moved = |point: DVec3| (point.as_vec3().as_dvec3() - point).abs().max_element();
+        let rounding = points().map(moved).fold(0.0, f64::max);
+        let is_told = tolerance.max(job.precision) < rounding;
+        Self { rounding: is_told.then_some(rounding), ..Self::of(shapes) }
     }
 
     /// Counts a shape.

@@ -279,12 +279,12 @@ impl GatheredItems {
             self.push(name, subject, data);
             return Ok(());
         }
-        self.add(name, &value.value, subject)
+        self.add((name, false), &value.value, subject)
     }
 
     fn add(
         &mut self,
-        name: &str,
+        (name, is_in_record): (&str, bool),
         value: &Value,
         whole: &eval::ExportSubject,
     ) -> Result<(), FormatMismatch> {
@@ -292,11 +292,14 @@ impl GatheredItems {
             Value::List(elements) => elements
                 .iter()
                 .enumerate()
-                .try_for_each(|(i, element)| self.add(&format!("{name}[{i}]"), element, whole)),
+                .filter(|(_, element)| !is_in_record || has_place(element))
+                .try_for_each(|(i, element)| {
+                    self.add((&format!("{name}[{i}]"), is_in_record), element, whole)
+                }),
             // Such as the teeth and the envelope of a comb; what a record tells beside is left out.
             Value::Record(record) if record.iter().any(|(_, member)| has_place(member)) => {
                 record.iter().filter(|(_, member)| has_place(member)).try_for_each(
-                    |(label, member)| self.add(&format!("{name}.{label}"), member, whole),
+                    |(label, member)| self.add((&format!("{name}.{label}"), true), member, whole),
                 )
             }
             Value::Region(region) if let Some(borders) = self.borders_of(region) => {

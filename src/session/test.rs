@@ -114,7 +114,6 @@ impl Report {
     /// How many errors there are outside of tests.
     #[must_use]
     pub fn count_untested_errors(&self) -> usize {
-        let of_tests: usize = self.tests.iter().map(|test| test.errors.len()).sum();
-        self.count(Severity::Error) - of_tests
+        self.n_untested_errors
     }
 }

@@ -70,10 +70,11 @@ impl Approximator {
     /// # Errors
     /// [`FitError::Undetermined`].
     pub fn determined(self) -> Result<Self, GeomError> {
-        if RANK_RELATIVE < self.factor.least_hold() {
+        let control_points = self.knots.n_points();
+        // Of as many values as control points all are met, however little the parameters hold of some.
+        if RANK_RELATIVE < self.factor.least_hold() || self.firsts.len() == control_points {
             return Ok(self);
         }
-        let control_points = self.knots.n_points();
         Err(GeomError::Fit(FitError::Undetermined { control_points }))
     }
 

@@ -22,21 +22,23 @@ fn bits(BorderVertex { parameters, point }: &BorderVertex) -> VertexBits {
 
 /// Gives vertices at one point one place of parameters, where `is_one` holds of two: no seam is between these.
 ///
-/// Vertices along an edge that is a point keep theirs.
+/// Vertices along an edge that is a point, neighbours of which are no further apart than `weld`, keep theirs.
 pub(super) fn with_common_places(
     loops: &mut [Vec<BorderVertex>],
+    weld: f64,
     is_one: impl Fn([DVec2; 2], DVec3) -> bool,
 ) {
     let mut known: BTreeMap<[u64; 3], Vec<DVec2>> = BTreeMap::new();
     for polygon in loops {
-        let keys: Vec<[u64; 3]> = polygon.iter().map(|vertex| point_bits(vertex.point)).collect();
-        let n = keys.len();
+        let points: Vec<DVec3> = polygon.iter().map(|vertex| vertex.point).collect();
+        let n = points.len();
         for (i, vertex) in polygon.iter_mut().enumerate() {
-            if keys[i] == keys[(i + 1) % n] || keys[i] == keys[(i + n - 1) % n] {
+            let beside = [points[(i + 1) % n], points[(i + n - 1) % n]];
+            if beside.iter().any(|next| points[i].distance(*next) <= weld) {
                 continue;
             }
             let own = vertex.parameters;
-            let places = known.entry(keys[i]).or_default();
+            let places = known.entry(point_bits(points[i])).or_default();
             match places.iter().find(|&&place| is_one([place, own], vertex.point)) {
                 Some(&place) => vertex.parameters = place,
                 None => places.push(own),

@@ -247,7 +247,7 @@ impl<'a> PartsTessellation<'a> {
             };
             [0.25, 0.5, 0.75].into_iter().all(is_near)
         };
-        with_common_places(&mut loops, is_one);
+        with_common_places(&mut loops, self.weld, is_one);
         loops
     }
 

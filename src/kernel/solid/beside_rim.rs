@@ -47,12 +47,14 @@ impl Solid {
                 found => return found,
             }
         }
+        let rounding = EXACT_RELATIVE * box_around(&self.faces).magnitude();
         Err(match places.first() {
-            Some(place) => {
+            // At an edge in the plane itself nothing is thin.
+            Some(place) if rounding < place.height.abs() => {
                 let (point, thickness) = (place.point, place.height.abs());
                 SolidError::ThinCut { point, thickness, tolerance: distance }.into()
             }
-            None => error,
+            _ => error,
         })
     }
 

@@ -5,11 +5,6 @@
 /// Larger takes digits for noise; smaller than this nothing is computed.
 pub const LAST_BIT: f64 = f64::EPSILON;
 
-/// Rounding of a number of single precision, as a fraction of it: half of its last bit.
-///
-/// Larger tells of places that are kept; smaller keeps quiet of places that moved.
-pub const SINGLE_ROUNDING: f64 = 0.5 * f32::EPSILON as f64;
-
 /// A derivative over the whole domain, or the area of two of them, below this fraction of the
 /// control polygon's size (squared for areas) has vanished: its direction is rounding.
 ///

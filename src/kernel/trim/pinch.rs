@@ -14,10 +14,13 @@ use crate::{
 };
 
 /// Even parts of each span at whose ends lines of constant parameter are looked at.
-const PARTS: usize = 4;
+const PARTS: usize = 16;
 
 /// Where on such a line.
 const LOOKS: [f64; 4] = [0.0, 0.3, 0.7, 1.0];
+
+/// Parts of an arc at whose ends it is looked at how far it is from such a line.
+const ARC_LOOKS: usize = 8;
 
 /// Between neighbours a line may be a point where it is no longer than this part of the longer one of them.
 const LEAST_SHARE: f64 = 0.5;
@@ -150,6 +153,13 @@ impl Face {
             let is_within = PARAMETER_RELATIVE * domain.length() < pinch.at - domain.start();
             let is_cut = is_within && is_on_cutter(pinch.point) && self.is_inside(&pinch, distance);
             if is_cut && (has_arcs || !self.plane.is_disc(&pinch)) {
+                // What runs around the place within the distance is the place.
+                let is_there = |arc: &NurbsCurve| {
+                    let places = arc.domain().steps(ARC_LOOKS).into_iter();
+                    let mut points = places.map(|t| self.plane.point(arc.point_at(t)));
+                    points.all(|point| point.distance(pinch.point) <= 2.0 * distance)
+                };
+                arcs.retain(|arc| !is_there(arc));
                 let line = (pinch.across, pinch.at);
                 let end = |along: f64| self.plane.place(parameters(line, along));
                 arcs.push(NurbsCurve::line(end(along.start()), end(along.end()))?);

@@ -221,8 +221,13 @@ impl FromValue for Cutters {
         };
         match value {
             Value::List(items) if !items.is_empty() => {
-                let cutters = items.iter().map(cutter).collect::<std::result::Result<_, _>>()?;
-                Ok(Self { cutters, solid: None })
+                let cutters: Vec<Cutter> =
+                    items.iter().map(cutter).collect::<std::result::Result<_, _>>()?;
+                let solid = match items.iter().next() {
+                    Some(Value::Solid(solid)) if cutters.len() == 1 => Some(Arc::clone(solid)),
+                    _ => None,
+                };
+                Ok(Self { cutters, solid })
             }
             single => {
                 let solid = match single {

@@ -191,7 +191,8 @@ fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {
     let source = ctx.sources.and_then(|sources| sources.at(angle));
     let Some(text) = source.and_then(|source| source.text.get(source.local(angle))) else { return };
     // However it is spelled, so that what is remembered of a number goes for all its spellings.
-    let number: Option<f64> = text.trim_start_matches('-').replace('_', "").parse().ok();
+    let is_filling = |c: char| c.is_whitespace() || matches!(c, '(' | ')' | '-' | '_');
+    let number: Option<f64> = text.replace(is_filling, "").parse().ok();
     if !number.is_some_and(|number| 30.0 <= number && number % 15.0 == 0.0) {
         return;
     }

@@ -36,7 +36,7 @@ op! {
     }
     example "report(interpolate((0, 0), (1, 1), (2, 0))).parameters" => "[0, 0.5, 1]";
     example "report(reduce(bezier((0, 0), (1, 0.02), (2, 0)), 0.02)).degree" => "1";
-    example "report(intersect(sphere((0, 0), 2), cylinder((0, 0, -3), 1, 6))[0]).proven" => "true";
+    example "report(intersect(sphere((0, 0), 2), cylinder((1, 0, -3), 1.2, 6))[0]).proven" => "true";
     example "report(solid(box((0, 0, 0), (1, 2, 3)))).edges" => "12";
     example "report(solid([sphere((0, 0), 2), sphere((0, 0), 1)])).shells" => "2";
     refuses "report(line((0, 0), (1, 2)))" => "E0306: this is a curve that no construction with a report returned";

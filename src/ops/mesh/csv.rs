@@ -15,9 +15,7 @@ use crate::{
 /// The table of a file.
 pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let header = text.trim_start_matches(['\n', '\r']).split(['\n', '\r']).next();
-    // What stands in quotation marks separates nothing.
-    let outside: Vec<u8> = header
-        .map_or(Vec::new(), |header| header.split('"').step_by(2).flat_map(str::bytes).collect());
+    let outside = header.map_or(Vec::new(), outside_marks);
     let is_in_header = |separator: &u8| outside.contains(separator);
     let separator = [b',', b';', b'\t'].into_iter().find(is_in_header).unwrap_or(b',');
     let (header, rows) = csv_rows(text, separator, ctx.limits.list_length)?;
@@ -120,5 +118,25 @@ fn name_and_unit(title: &str) -> (&str, Option<&str>) {
     match title.strip_suffix(']').and_then(|title| title.rsplit_once('[')) {
         Some((name, unit)) if !unit.trim().is_empty() => (name.trim(), Some(unit.trim())),
         _ => (title, None),
+    }
+}
+
+/// The separators of a header; those in cells that begin with a quotation mark separate nothing.
+fn outside_marks(header: &str) -> Vec<u8> {
+    let is_separator = |byte: &u8| matches!(byte, b',' | b';' | b'\t');
+    let (mut found, mut is_quoted, mut is_start) = (Vec::new(), false, true);
+    for byte in header.bytes() {
+        match byte {
+            b'"' if is_quoted => is_quoted = false,
+            b'"' if is_start => is_quoted = true,
+            _ if !is_quoted && is_separator(&byte) => found.push(byte),
+            _ => {}
+        }
+        is_start = !is_quoted && is_separator(&byte);
+    }
+    match is_quoted {
+        // A mark that is never closed is none.
+        true => header.bytes().filter(is_separator).collect(),
+        false => found,
     }
 }

@@ -17,7 +17,7 @@ use crate::{
 
 op! {
     /// Solid that a region leaves behind along a path, with both ends closed by the region as it stands there; along a
-    /// closed path there are none.
+    /// closed path there are none, unless it comes back in another size.
     ///
     /// The region lies across the path, in the plane x = 0, as the section of a swept surface does: its y is to the left
     /// of the way and its z up, its origin on the path. Each of its borders leaves the surface behind that `sweep` of it

@@ -3,5 +3,4 @@ let bad = sqrt("x")
 curve c = line((0, 0), (1, 0))
 fn twice(x) = 2 * x
 fn worse(x) = x + bad
-let after = = 4
-let further = after + 1
+let further = bad + 1

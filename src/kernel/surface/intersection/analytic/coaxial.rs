@@ -44,6 +44,9 @@ impl NurbsSurface {
         distance: f64,
     ) -> Option<Vec<NurbsCurve>> {
         let (axis, [one, another]) = self.meridians(other, distance)?;
+        if ![self, other].iter().all(|surface| surface.turns_fully(axis, distance)) {
+            return None;
+        }
         let mut circles = Vec::new();
         for place in one.places_on(another, LEAST_DEPTH * distance)? {
             if place.x < -distance {
@@ -58,6 +61,36 @@ impl NurbsSurface {
             }
         }
         Some(circles)
+    }
+
+    /// Whether it goes all around an axis: along one of its parameters, or as a sphere with both of its poles.
+    fn turns_fully(&self, axis: Frame, distance: f64) -> bool {
+        let is_closed = [self.is_closed_u(distance), self.is_closed_v(distance)];
+        let is_point = |edge: NurbsCurve| edge.bounds().diagonal() <= distance;
+        let [start_u, end_u, start_v, end_v] = self.edges();
+        let is_sphere = matches!(
+            self.analytic(distance).map(|found| found.form),
+            Some(AnalyticForm::Sphere { .. })
+        );
+        let has_poles = [
+            is_closed[1] && is_point(start_u) && is_point(end_u),
+            is_closed[0] && is_point(start_v) && is_point(end_v),
+        ];
+        let domains = [self.domain_u(), self.domain_v()];
+        let is_around = |along: usize| {
+            let places = [0.2, 0.4, 0.7].map(|at| domains.map(|domain| domain.at(at)));
+            places.iter().all(|&[u, v]| {
+                let tangents = self.tangents_at(u, v);
+                let (point, way) = (tangents[0], tangents[1 + along]);
+                let arm = point - axis.origin();
+                let out = arm - axis.z() * arm.dot(axis.z());
+                let skew =
+                    way.dot(axis.z()).abs().max(way.dot(out).abs() / norm(out).max(distance));
+                skew <= Tolerance::DEFAULT.angle.sqrt() * norm(way)
+            })
+        };
+        is_sphere && has_poles.contains(&true)
+            || (0..2).any(|along| is_closed[along] && is_around(along))
     }
 
     /// Whether both lie on one cylinder, cone, sphere or torus.

@@ -1,0 +1,3 @@
+let pi = = 3
+let a = 2 * pi
+let b = 1
