@@ -10,6 +10,7 @@ mod file;
 #[cfg(feature = "cli")]
 mod gate;
 mod inspect;
+mod memory;
 mod options;
 mod path;
 mod picture;
@@ -25,15 +26,17 @@ pub use extra::{ControlStyle, Extra, STRIPES};
 pub use file::File;
 #[cfg(feature = "cli")]
 pub(crate) use gate::JobGate;
+use memory::SessionMemory;
 pub use picture::PictureContent;
 pub(crate) use picture::{drawable, exported, small_picture};
+use test::n_errors;
 pub use test::{TestReport, TestVerdict};
 
 pub(crate) use crate::ops::loaded_endings;
 
 use crate::{
     diag::{Code, Diagnostic, Severity, Sources, Span, fault},
-    eval::{self, EffectOutput, Memory, Purpose, Setting, Work},
+    eval::{self, EffectOutput, Purpose, Setting, Work},
     export::MeshMemory,
     kernel::Tolerance,
     limits::{
@@ -55,13 +58,6 @@ pub struct Session {
     memory: Option<Arc<SessionMemory>>,
     gauge: MemoryGauge,
     stop: StopToken,
-}
-
-/// What is kept from run to run.
-#[derive(Debug, Default)]
-struct SessionMemory {
-    results: Memory,
-    meshes: MeshMemory,
 }
 
 /// One thing that a script says or does, in the order of the source.
@@ -154,11 +150,6 @@ impl Report {
     pub fn n_with(&self, work: Work) -> usize {
         self.definitions.iter().filter(|defined| defined.work == work).count()
     }
-}
-
-/// How many findings are errors.
-fn n_errors(diagnostics: &[Diagnostic]) -> usize {
-    diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
 }
 
 impl Default for Session {
@@ -279,8 +270,7 @@ impl Session {
         // with nothing remembered gives one answer.
         drop(report);
         if let Some(memory) = remembers {
-            memory.results.forget();
-            memory.meshes.forget();
+            memory.forget();
         }
         attempt(1)
     }

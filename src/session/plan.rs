@@ -376,11 +376,20 @@ impl GatheredItems {
     }
 }
 
-/// Whether a value is geometry, or a list or a record that holds some.
+/// Whether a value is geometry, a list that holds some, or a record with more than places.
 fn has_place(value: &Value) -> bool {
     match value {
         Value::List(items) => items.numbers().is_none() && items.iter().any(has_place),
-        Value::Record(record) => record.iter().any(|(_, member)| has_place(member)),
+        Value::Record(record) => record.iter().any(|(_, member)| has_shape(member)),
         other => subject(other).is_some_and(|subject| subject.is_geometry()),
+    }
+}
+
+/// The same without single places, which a record within a record tells beside, such as where a deviation is largest.
+fn has_shape(value: &Value) -> bool {
+    match value {
+        Value::Point(_) => false,
+        Value::List(items) => items.numbers().is_none() && items.iter().any(has_shape),
+        other => has_place(other),
     }
 }
