@@ -29,13 +29,12 @@ pub(crate) use gate::JobGate;
 use memory::SessionMemory;
 pub use picture::PictureContent;
 pub(crate) use picture::{drawable, exported, small_picture};
-use test::n_errors;
 pub use test::{TestReport, TestVerdict};
 
 pub(crate) use crate::ops::loaded_endings;
 
 use crate::{
-    diag::{Code, Diagnostic, Severity, Sources, Span, fault},
+    diag::{Code, Diagnostic, Severity, Sources, Span, fault, n_errors},
     eval::{self, EffectOutput, Purpose, Setting, Work},
     export::MeshMemory,
     kernel::Tolerance,

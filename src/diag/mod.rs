@@ -138,6 +138,11 @@ pub struct Diagnostic {
     pub elements: Vec<Vec<usize>>,
 }
 
+/// How many findings are errors.
+pub(crate) fn n_errors(findings: &[Diagnostic]) -> usize {
+    findings.iter().filter(|found| found.severity == Severity::Error).count()
+}
+
 /// The message alone, for whoever knows no places.
 impl std::fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

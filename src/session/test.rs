@@ -110,11 +110,6 @@ impl Session {
     }
 }
 
-/// How many findings are errors.
-pub(super) fn n_errors(diagnostics: &[Diagnostic]) -> usize {
-    diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
-}
-
 impl Report {
     /// How many errors there are outside of tests.
     #[must_use]
