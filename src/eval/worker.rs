@@ -77,7 +77,7 @@ impl<'a> Worker<'a> {
         });
         match self.memory {
             _ if !is_ready => {
-                members.iter().for_each(|&idx| self.machine.home.keep(idx, Kept::Failed))
+                members.iter().for_each(|&idx| self.machine.home.keep(idx, Kept::Failed));
             }
             None => {
                 for &idx in members {
