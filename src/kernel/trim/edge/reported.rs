@@ -23,11 +23,14 @@ impl SurfaceCurve {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use virote_kernel::{Frame, NurbsCurve, NurbsSurface, ReportEntry, SurfaceCurve, Tolerance};
+    /// use virote_kernel::{
+    ///     CircleForm, Frame, NurbsCurve, NurbsSurface, ReportEntry, SurfaceCurve, Tolerance, glam::DVec3,
+    /// };
     ///
     /// let tube = Arc::new(NurbsSurface::cone(Frame::XY, [1.0, 1.0], 2.0)?);
-    /// let circle = NurbsCurve::circle(Frame::XY, 1.0)?;
-    /// let found = SurfaceCurve::reported_in_plane(circle, tube, Frame::XY, Tolerance::DEFAULT, "section");
+    /// let plane = Frame::XY.at(DVec3::Z);
+    /// let circle = NurbsCurve::ellipse(plane, [1.0; 2], CircleForm::NinePoint)?;
+    /// let found = SurfaceCurve::reported_in_plane(circle, tube, plane, Tolerance::DEFAULT, "section");
     /// let report = found.report().expect("there is one");
     /// assert!(matches!(report.facts().find(|fact| fact.0 == "proven"), Some((_, ReportEntry::Truth(true)))));
     /// # Ok::<(), virote_kernel::GeomError>(())
