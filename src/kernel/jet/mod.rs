@@ -11,14 +11,13 @@ mod moving_end;
 mod series;
 
 use glam::DVec3;
-use smallvec::{SmallVec, smallvec};
 
 use super::{GeomError, Grid, LocalError};
 
 pub use moving_end::moved_end;
 
-/// The coefficients of a jet; as many as two variables have to the second order need no memory of their own.
-type Coefficients = SmallVec<[f64; 6]>;
+/// The coefficients of a jet, behind a pointer: numbers lie on the stack of calls within calls.
+type Coefficients = Vec<f64>;
 
 /// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
 /// coefficients as its shape needs.
@@ -141,7 +140,7 @@ impl Jet {
     }
 
     fn constant(value: f64, shape: JetShape) -> Self {
-        let mut coefficients: Coefficients = smallvec![0.0; shape.n_coefficients()];
+        let mut coefficients: Coefficients = vec![0.0; shape.n_coefficients()];
         coefficients[0] = value;
         Self { shape, coefficients }
     }
@@ -175,7 +174,7 @@ impl Jet {
     /// A series of this shape with other coefficients; those that are not given are zero.
     #[must_use]
     pub fn with_coefficients(&self, coefficients: &[f64]) -> Self {
-        let mut all = Coefficients::from_slice(coefficients);
+        let mut all = coefficients.to_vec();
         all.resize(self.shape.n_coefficients(), 0.0);
         Self { shape: self.shape, coefficients: all }
     }

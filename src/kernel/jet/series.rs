@@ -4,8 +4,6 @@
 //! Griewank & Walther, *Evaluating Derivatives*, Table 13.2. Each function answers `order + 1`
 //! coefficients, the value first.
 
-use smallvec::smallvec;
-
 use super::Coefficients;
 
 /// (1 + x)ⁿ about 0 is the binomial series; about `x` every term is the one before times
@@ -36,7 +34,7 @@ pub(super) fn ln(x: f64, order: usize) -> Coefficients {
 
 /// y' = 1 + sign·y².
 pub(super) fn tangent(value: f64, sign: f64, order: usize) -> Coefficients {
-    let mut terms: Coefficients = smallvec![value];
+    let mut terms: Coefficients = vec![value];
     for k in 0..order {
         let square: f64 = (0..=k).map(|i| terms[i] * terms[k - i]).sum();
         let one = if k == 0 { 1.0 } else { 0.0 };
@@ -48,7 +46,7 @@ pub(super) fn tangent(value: f64, sign: f64, order: usize) -> Coefficients {
 /// y' = g with (1 − x²)·g' = x·g; `x` lies between −1 and 1.
 pub(super) fn asin(x: f64, order: usize) -> Coefficients {
     let rest = (1.0 - x) * (1.0 + x);
-    let mut slopes: Coefficients = smallvec![1.0 / rest.sqrt()];
+    let mut slopes: Coefficients = vec![1.0 / rest.sqrt()];
     for k in 0..order {
         let before = if k == 0 { 0.0 } else { slopes[k - 1] };
         let (n, next) = (k as f64, (k + 1) as f64);
