@@ -16,8 +16,8 @@ const command = resolve(process.env.VIROTE ?? join(root, "target/release/virote"
 const CEILINGS = ["nesting=128", "chain=250", "call-depth=100", "evaluation-depth=400", "value-depth=200"];
 /** Where a message begins. */
 const HEAD = /^\[[EW]\d{4}\] /;
-/** What the command alone says when it writes files: which meshes it turned. */
-const OF_FILES = /^\[W0001\] Warning: turned /;
+/** What the command alone says when it writes files: which meshes it turned, and how far places are rounded. */
+const OF_FILES = /^\[W0001\] Warning: (turned |the file has numbers of single precision)/;
 /** Characters of a heading over a table. */
 const HEADING = 60;
 /** It was not over after 150 seconds on a busy machine; the next slowest takes the module 18 seconds of processor. */
