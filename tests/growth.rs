@@ -275,6 +275,13 @@ const SHAPES: &[Shape] = &[
         "",
         "",
     ),
+    (
+        "`parameter_at_length` of a spline",
+        "let c = interpolate([for i in 0..@: (i/10, sin(i), cos(i/3))])\nlet a = parameter_at_length(c, 3)\n",
+        "",
+        "",
+        "",
+    ),
     ("`divide` into many parts", "let a = divide(circle((0, 0), 1), @)\n", "", "", ""),
     // Files that are read.
     ("imports of many files", "", "import \"leaf#.geo\" as p#", "\n", ""),

@@ -220,8 +220,8 @@ codes! {
         "A Frenet frame follows the side to which the path bends. Where the path goes over from one way of bending to the other, the frame turns around at once, and with it the section. `frame = \"rotation_minimizing\"` does not."
     DegreesMeant "W0012" "degrees may be meant"
         "Trigonometric functions take a number without a unit as radians. One such as 45 or 90, written as it stands, is more likely one of degrees: write `sin(90deg)`, or `sin(90rad)` where radians are meant."
-    FirstOfSeveral "W0013" "only the first of several is kept"
-        "`difference` keeps what is in the first of all its regions, and members of lists count one by one: of `difference(union(a, b), c)` with `a` and `b` apart it takes the smaller one away together with `c`. `[for r in union(a, b): difference(r, c)]` takes `c` from each; `difference([...union(a, b), c])` says that the first alone is meant."
+    MembersCount "W0013" "members of a list count one by one"
+        "`difference` keeps what is in the first of all its regions, and members of lists count one by one: of `difference(union(a, b), c)` with `a` and `b` apart it takes the smaller one away together with `c`. `[for r in union(a, b): difference(r, c)]` takes `c` from each; `difference([...union(a, b), c])` says that the first alone is meant. What is in all of the members of a list whose members are apart is nothing, and so is `intersection(union(a, b), c)`: `[for r in union(a, b): intersection(r, c)]` asks each of them."
 }
 
 impl Code {

@@ -15,6 +15,17 @@ pub(crate) fn place(point: DVec4) -> DVec3 {
     if point.w.abs() < f64::MIN_POSITIVE { point.truncate() } else { project(point) }
 }
 
+/// The same point where the origin lies elsewhere.
+pub(crate) fn about(origin: DVec3, point: DVec4) -> DVec4 {
+    (point.truncate() - point.w * origin).extend(point.w)
+}
+
+/// How fast the place of a control point moves.
+pub(crate) fn place_speed(point: DVec4, speed: DVec4) -> DVec3 {
+    let weight = if point.w.abs() < f64::MIN_POSITIVE { 1.0 } else { point.w };
+    (speed.truncate() - speed.w * place(point)) / weight
+}
+
 /// Homogeneous points of weight one.
 ///
 /// # Errors

@@ -2,6 +2,7 @@
 //!
 //! A family is a folder and the list of its operations; nothing outside names one of them.
 
+mod combined;
 mod constant;
 mod convert;
 mod curve;

@@ -20,4 +20,5 @@ surface ended = skin([o, translate(o, (0, 0, 1)), translate(o, (0, 0, 2))], clos
 surface both = skin([a, b], spine = line((0, 0), (0, 1)), at = [0, 1], start_tangent = (0, 0, 1))
 surface text = skin([a, "b"])
 surface shapes = skin([a, b], shape = "monoton")
+surface straight = skin([a, b], degree = 1, start_tangent = (0, 0, 1))
 surface repeated_spine = skin([a, b], spine = bezier((0, 0), (0, 1), (0, 0)), at = [0, 1])

@@ -8,3 +8,10 @@ print areas(difference(both, c))
 print [for r in both: areas(difference(r, c))]
 print areas(difference([...both, c]))
 print areas(difference(both))
+
+// Nothing is in both of two that are apart, and so in nothing else as well.
+print intersection(both, a), [for r in both: areas(intersection(r, a))], intersection([...both, a])
+
+// Meshes likewise.
+fn cube(x) = tessellate(box((x, 0, 0), (1, 1, 1)))
+print volume(difference([cube(0), cube(5)], cube(5.5))), volume(intersection([cube(0), cube(5)], cube(0)))

@@ -20,8 +20,7 @@ use glam::DVec3;
 use crate::{Interval, NurbsCurve};
 
 pub(crate) use cell::CellLoop;
-pub(crate) use ray::RaySearch;
-pub(crate) use ray::{EdgeSide, Windings, winding_about};
+pub(crate) use ray::{EdgeSide, RaySearch, Windings, winding_about};
 pub(crate) use walk::{OrientedEdge, joined};
 
 /// A closed chain of arcs. Its loops count for the group that it belongs to.

@@ -9,6 +9,7 @@ use super::{
 use crate::{
     Direction, GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters,
     VariedSurface,
+    homogeneous::{place, place_speed},
     tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
     varied::knots::{simple_inner, with_knots_twice},
 };
@@ -136,14 +137,20 @@ fn section_speeds(
     lines: &[Vec<DVec4>],
     slopes: &[Vec<DVec4>],
 ) -> Option<(Vec<f64>, Vec<f64>)> {
+    let (&first, &growth) = (lines.first()?.first()?, slopes.first()?.first()?);
+    let origin = [place(first), place_speed(first, growth)];
     let step = |line: &[DVec4], slope: &[DVec4], k: usize| -> Option<[f64; 2]> {
-        let (leg, growth) = (line[k + 1] - line[k], slope[k + 1] - slope[k]);
+        let at = |k: usize| rule.measured_speed(origin, [line[k], slope[k]]);
+        let ([before, own], [behind, next]) = (at(k), at(k + 1));
+        let (leg, growth) = (behind - before, next - own);
         let (length, along) = (leg.length(), leg.dot(growth));
         match rule {
             SectionParameters::Uniform => Some([1.0, 0.0]),
             _ if length <= 0.0 && growth.length() <= 0.0 => Some([0.0; 2]),
             _ if length <= 0.0 => None,
-            SectionParameters::Average => Some([length, along / length]),
+            SectionParameters::Average | SectionParameters::Places => {
+                Some([length, along / length])
+            }
             SectionParameters::Centripetal => {
                 let root = length.sqrt();
                 Some([root, along / (2.0 * length * root)])

@@ -299,6 +299,12 @@ impl KnotVector {
         (self.degree..self.n_points()).filter(|&i| self.knots[i] < self.knots[i + 1])
     }
 
+    /// Those that may reach into an interval, found without a look at the others.
+    pub(crate) fn spans_within(&self, interval: Interval) -> impl Iterator<Item = usize> {
+        let [first, last] = [interval.start(), interval.end()].map(|t| self.span_at(t));
+        (first..=last).filter(|&i| self.knots[i] < self.knots[i + 1])
+    }
+
     /// The parameters of a span that has a width.
     #[must_use]
     pub fn span_interval(&self, span: usize) -> Interval {

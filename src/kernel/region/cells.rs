@@ -22,8 +22,16 @@ impl PlaneCell {
     }
 }
 
+/// Whether each edge of a loop is run along both ways: it holds nothing.
+fn runs_there_and_back(steps: &[OrientedEdge]) -> bool {
+    let mut sorted = steps.to_vec();
+    sorted.sort_unstable();
+    let (pairs, rest) = sorted.as_chunks::<2>();
+    rest.is_empty() && pairs.iter().all(|[there, back]| there.0 == back.0 && there.1 != back.1)
+}
+
 /// The bounded parts into which the edges divide the plane z = 0, in the order in which they are found;
-/// no edge may be loose.
+/// no edge may be loose. Chains of edges with the same part on both sides are around none.
 ///
 /// # Errors
 /// [`RegionError::Unclear`], [`RegionError::Thin`].
@@ -31,6 +39,9 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
     let (mut parts, mut holes) = (Vec::new(), Vec::new());
     for CellLoop { steps, arcs, component } in arrangement.cell_loops()? {
         GeomError::go_on(1)?;
+        if runs_there_and_back(&steps) {
+            continue;
+        }
         let border = PlaneLoop { arcs };
         let (area, length) = (border.area(), border.length());
         if 2.0 * area.abs() <= distance * length {

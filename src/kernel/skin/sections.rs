@@ -1,10 +1,11 @@
 //! Section curves on one basis, and where in v they stand.
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 use crate::{
     CountError, GeomError, InputError, KnotVector, NurbsCurve,
     gordon::{RefitRequest, refitted},
+    homogeneous::{about, place, place_speed},
     make_compatible,
     tolerance::{PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
@@ -26,12 +27,38 @@ use crate::{
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SectionParameters {
-    /// The mean, over the lines of control points, of what the distances in each line make.
+    /// The mean, over the lines of control points, of what the distances in each line make: homogeneous ones, which count
+    /// weights as lengths, about the first control point of the first section.
     Average,
     /// The same with the square roots of the distances.
     Centripetal,
+    /// As the average, with the distances of places, whatever their weights.
+    Places,
     /// All steps the same.
     Uniform,
+}
+
+impl SectionParameters {
+    /// A control point as the distances are told of: about an origin, or its place alone.
+    fn measured(self, origin: DVec3, point: DVec4) -> DVec4 {
+        match self {
+            Self::Places => place(point).extend(0.0),
+            _ => about(origin, point),
+        }
+    }
+
+    /// What [`Self::measured`] does where the control point moves, and the origin.
+    pub(crate) fn measured_speed(
+        self,
+        [origin, speed_of_origin]: [DVec3; 2],
+        [point, speed]: [DVec4; 2],
+    ) -> [DVec4; 2] {
+        let measured = self.measured(origin, point);
+        match self {
+            Self::Places => [measured, place_speed(point, speed).extend(0.0)],
+            _ => [measured, about(origin, speed) - (point.w * speed_of_origin).extend(0.0)],
+        }
+    }
 }
 
 /// Curves of one degree on one knot vector, whose weights are 1 in the mean of the ends.
@@ -149,10 +176,23 @@ impl CompatibleSections {
         (0..self.knots().n_points()).map(line).collect()
     }
 
+    /// The lines as a rule measures their steps.
+    fn measured_lines(&self, rule: SectionParameters) -> Vec<Vec<DVec4>> {
+        let mut lines = self.lines();
+        if self.0.iter().any(NurbsCurve::is_rational) {
+            let origin = place(lines[0][0]);
+            for point in lines.iter_mut().flatten() {
+                *point = rule.measured(origin, *point);
+            }
+        }
+        lines
+    }
+
     /// One parameter a section, from 0 to 1; lines of control points at one place say nothing.
     ///
     /// Piegl & Tiller, *The NURBS Book*, (10.8), of rational sections with the distances of
-    /// homogeneous points, (10.14). With `is_closed` the first section counts once more at the end.
+    /// homogeneous points, (10.14), about the first control point, so that they do not depend on where the
+    /// sections lie. With `is_closed` the first section counts once more at the end.
     ///
     /// # Errors
     /// [`InputError::CoincidentPoints`] with the indices of two sections that are one.
@@ -165,7 +205,7 @@ impl CompatibleSections {
         if rule == SectionParameters::Uniform {
             return Ok((0..=n_steps).map(|k| k as f64 / n_steps as f64).collect());
         }
-        let lines = self.lines();
+        let lines = self.measured_lines(rule);
         let step = |line: &[DVec4], k: usize| {
             let distance = (line[(k + 1) % line.len()] - line[k]).length();
             if rule == SectionParameters::Centripetal { distance.sqrt() } else { distance }

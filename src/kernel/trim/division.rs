@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::{Face, FaceError, plane::ParameterPlane};
 use crate::{
     GeomError, NurbsCurve, Region,
-    arrange::{Apart, Arrangement, RaySearch, Ring},
+    arrange::{Apart, Arrangement, RaySearch, Ring, Windings},
     region::{PlaneCell, cells},
 };
 
@@ -19,6 +19,8 @@ pub(super) struct Division {
     cells: Vec<PlaneCell>,
     /// For each cell a number that it has in common with those that it hangs together with over seams.
     parts: Vec<usize>,
+    /// Edges of arcs within the face that have one cell on both sides.
+    slits: Vec<usize>,
     /// Where arcs end that divide nothing, each with its arc.
     pub(super) loose: Vec<(usize, DVec3)>,
 }
@@ -28,6 +30,11 @@ pub(super) struct Division {
 struct EdgeCells {
     left: Option<usize>,
     right: Option<usize>,
+}
+
+/// Whether the face's own border winds around a place.
+fn is_within(around: &Windings) -> bool {
+    around.iter().any(|&(group, winding)| group == BORDER && winding != 0)
 }
 
 /// Fails where the parts of a face do not come to all of it, in its plane of parameters.
@@ -79,14 +86,22 @@ impl Division {
                 let point = super::loops::place_of(std::slice::from_ref(&cell.region));
                 return Err(crate::RegionError::Unclear { point }.into());
             };
-            if around.iter().any(|&(group, winding)| group == BORDER && winding != 0) {
+            if is_within(&around) {
                 inside.push(cell);
             }
         }
+        let mut has_cell = vec![false; arrangement.edges.len()];
+        inside.iter().flat_map(|cell| &cell.steps).for_each(|&(edge, _)| has_cell[edge] = true);
+        let is_slit = |&edge: &usize| {
+            let is_within =
+                || search.around(edge).is_some_and(|around| around.iter().any(is_within));
+            !has_cell[edge] && is_within()
+        };
+        let slits = (0..has_cell.len()).filter(is_slit).collect();
         drop(search);
         check_sum(face, &inside, tolerance)?;
         let parts = (0..inside.len()).collect();
-        let mut division = Self { arrangement, cells: inside, parts, loose };
+        let mut division = Self { arrangement, cells: inside, parts, slits, loose };
         division.join_over_seams(&face.plane, tolerance);
         Ok(division)
     }
@@ -167,11 +182,14 @@ impl Division {
     /// Whether any of some arcs runs along a part.
     pub(super) fn has_along(&self, is_of: impl Fn(usize) -> bool) -> bool {
         let is_border_of_cell = |cells: &EdgeCells| cells.left.or(cells.right).is_some();
-        self.arrangement.edges.iter().zip(self.beside()).any(|(edge, cells)| {
-            let mut arcs =
-                edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
-            is_border_of_cell(&cells) && arcs.any(&is_of)
-        })
+        self.arrangement.edges.iter().zip(self.beside()).enumerate().any(
+            |(number, (edge, cells))| {
+                let mut arcs =
+                    edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
+                let is_along = is_border_of_cell(&cells) || self.slits.contains(&number);
+                is_along && arcs.any(&is_of)
+            },
+        )
     }
 
     /// Whether any of some arcs has two parts beside it, or one on one side alone.

@@ -14,7 +14,8 @@ op! {
     /// nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
     /// is of triangles without normals; its new vertices are rounded, and no further away than that.
     /// It is checked before it is given: it closes, and its volume and that of what the meshes have in
-    /// common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    /// common add up to theirs. What would touch itself in an edge or a point is refused with the place. Where a list of several
+    /// comes first and others follow, a warning tells that only its first mesh is kept (W0013).
     difference in Mesh -> ClosedMesh {
         /// The closed meshes; lists count as their members.
         meshes: Spanned<ClosedMeshes>,
@@ -26,7 +27,8 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<ClosedMesh> {
     let meshes = &args.meshes;
-    if meshes.value.0[0].0.is_none() {
+    meshes.value.listed.warn_of_difference(ctx, meshes.span, "mesh");
+    if meshes.value.all[0].0.is_none() {
         return Ok(ClosedMesh(None));
     }
     Mesh::difference(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(ClosedMesh::from)

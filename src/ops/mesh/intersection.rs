@@ -14,7 +14,8 @@ op! {
     /// nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
     /// is of triangles without normals; its new vertices are rounded, and no further away than that.
     /// It is checked before it is given: it closes, and its volume and that of what the meshes have in
-    /// common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    /// common add up to theirs. What would touch itself in an edge or a point is refused with the place. Where nothing is in all
+    /// of them, and a list of several stands among others, a warning tells that each of its members counts (W0013).
     intersection in Mesh -> ClosedMesh {
         /// The closed meshes; lists count as their members.
         meshes: Spanned<ClosedMeshes>,
@@ -26,8 +27,12 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<ClosedMesh> {
     let meshes = &args.meshes;
-    if meshes.value.0.iter().any(|mesh| mesh.0.is_none()) {
+    if meshes.value.all.iter().any(|mesh| mesh.0.is_none()) {
         return Ok(ClosedMesh(None));
     }
-    Mesh::intersection(&meshes.value.there(), ctx.tolerance).at(meshes.span).map(ClosedMesh::from)
+    let found = Mesh::intersection(&meshes.value.there(), ctx.tolerance).at(meshes.span)?;
+    if found.is_none() {
+        meshes.value.listed.warn_of_no_intersection(ctx, meshes.span);
+    }
+    Ok(ClosedMesh::from(found))
 }

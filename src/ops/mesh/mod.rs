@@ -27,6 +27,7 @@ mod written_unit;
 
 use std::sync::Arc;
 
+use super::combined::ListedMembers;
 use crate::{
     diag::Span,
     kernel::Mesh,
@@ -89,7 +90,10 @@ impl From<Option<Mesh>> for ClosedMesh {
 
 /// Closed meshes, given as a list or as the arguments themselves; lists among them count as their
 /// members.
-struct ClosedMeshes(Vec<ClosedMesh>);
+struct ClosedMeshes {
+    all: Vec<ClosedMesh>,
+    listed: ListedMembers,
+}
 
 impl FromValue for ClosedMeshes {
     const TYPE: Type =
@@ -101,7 +105,7 @@ impl FromValue for ClosedMeshes {
         let Value::List(items) = value else { return Err(Mismatch::kind(Self::TYPE, value)) };
         match gather(items, &mut found) {
             _ if items.is_empty() => Err(Mismatch::kind(Self::TYPE, value)),
-            None => Ok(Self(found)),
+            None => Ok(Self { all: found, listed: ListedMembers::of(items) }),
             Some(other) => Err(Mismatch::kind(Self::TYPE, value).hint(match other {
                 "surface" => "`tessellate(s, tolerance = d)` makes a mesh of a surface, or of a list of surfaces that close",
                 _ => "meshes are combined with meshes",
@@ -127,6 +131,6 @@ fn gather(items: &List, found: &mut Vec<ClosedMesh>) -> Option<&'static str> {
 impl ClosedMeshes {
     /// Those that there are.
     fn there(&self) -> Vec<&Mesh> {
-        self.0.iter().filter_map(|mesh| mesh.0.as_deref()).collect()
+        self.all.iter().filter_map(|mesh| mesh.0.as_deref()).collect()
     }
 }

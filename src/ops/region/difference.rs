@@ -2,7 +2,7 @@
 
 use super::Regions;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
+    diag::{Result, Spanned},
     kernel::Region,
     value::{At, Ctx, op},
 };
@@ -26,12 +26,6 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
     let regions = &args.regions;
-    if 1 < regions.value.n_first {
-        let message = "of the first list only its first region is kept: the others are taken away with the rest";
-        ctx.warn(
-            Diagnostic::warning(Code::FirstOfSeveral, regions.span, message)
-                .hint("`[for r in a: difference(r, b)]` takes them from each, `difference([...a, b])` says that this is meant"),
-        );
-    }
+    regions.value.listed.warn_of_difference(ctx, regions.span, "region");
     Region::difference(&regions.value.all, ctx.tolerance, ctx.n_threads).at(regions.span)
 }

@@ -13,7 +13,8 @@ op! {
     ///
     /// The borders of the result are parts of the given ones, exactly. Borders that run within the
     /// document's tolerance of one another are one; those that come as near without being one are
-    /// refused with the place.
+    /// refused with the place. Where nothing is in all of them, and a list of several stands among others, a warning
+    /// tells that each of its members counts (W0013).
     intersection in Region -> Vec<Region> {
         /// The regions, in one plane; lists count as their members.
         regions: Spanned<Regions>,
@@ -25,5 +26,10 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Region>> {
     let regions = &args.regions;
-    Region::intersection(&regions.value.all, ctx.tolerance, ctx.n_threads).at(regions.span)
+    let found =
+        Region::intersection(&regions.value.all, ctx.tolerance, ctx.n_threads).at(regions.span)?;
+    if found.is_empty() {
+        regions.value.listed.warn_of_no_intersection(ctx, regions.span);
+    }
+    Ok(found)
 }

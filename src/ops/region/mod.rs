@@ -17,6 +17,7 @@ mod union;
 
 use std::sync::Arc;
 
+use super::combined::ListedMembers;
 use crate::{
     diag::{Result, Span},
     kernel::{Curve, NurbsCurve, Region, VariedCurve, join},
@@ -43,8 +44,7 @@ pub(super) static OPS: &[&Op] = &[
 /// Regions, given as a list or as the arguments themselves; lists among them count as their members.
 struct Regions {
     all: Vec<Region>,
-    /// How many of them are those of the first argument, if that is a list and others follow; else one.
-    n_first: usize,
+    listed: ListedMembers,
 }
 
 impl FromValue for Regions {
@@ -55,11 +55,7 @@ impl FromValue for Regions {
         let mut found = Vec::new();
         match value {
             Value::List(items) if !items.is_empty() && gather(items, &mut found) => {
-                let n_first = match items.get(0) {
-                    Some(Value::List(first)) if 1 < items.len() => first.len(),
-                    _ => 1,
-                };
-                Ok(Self { all: found, n_first })
+                Ok(Self { all: found, listed: ListedMembers::of(items) })
             }
             _ => {
                 let mismatch = Mismatch::kind(Self::TYPE, value);

@@ -26,7 +26,7 @@ op! {
         degree: Spanned<usize> = Spanned::unplaced(3),
         /// Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for
         /// its return to the first region.
-        parameters: Spanned<SectionPlaces> = Spanned::unplaced(SectionPlaces::By(SectionParameters::Average)),
+        parameters: Spanned<SectionPlaces> = Spanned::unplaced(SectionPlaces::By(SectionParameters::Places)),
         /// Whether the solid goes on from the last region to the first, as smooth there as anywhere.
         closed: bool = false,
         /// Whether borders are turned around, and seams moved, to run beside their neighbours.

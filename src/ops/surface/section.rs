@@ -67,8 +67,9 @@ pub(in crate::ops) enum SectionPlaces {
 }
 
 impl Choice for SectionParameters {
-    const WORDS: &'static [&'static str] = &["average", "centripetal", "uniform"];
-    const MEANINGS: &'static [Self] = &[Self::Average, Self::Centripetal, Self::Uniform];
+    const WORDS: &'static [&'static str] = &["average", "places", "centripetal", "uniform"];
+    const MEANINGS: &'static [Self] =
+        &[Self::Average, Self::Places, Self::Centripetal, Self::Uniform];
 }
 
 impl FromValue for SectionPlaces {

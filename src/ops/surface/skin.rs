@@ -25,7 +25,9 @@ op! {
     /// of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     /// neighbours with as many corners have them at the same parameters, so that edges of the
     /// surface run through them. The sections stand at parameters averaged from
-    /// the distances of their control points, over knots averaged from these. With a spine the
+    /// the distances of their control points, over knots averaged from these; of sections of unlike weights from distances
+    /// in homogeneous space about the first control point, in which a weight counts as a length of the document's unit,
+    /// or with "places" from those of their places, whatever the unit. With a spine the
     /// derivatives by v at the sections point along its tangents, and v is its parameter. Where
     /// weights between rational sections do not stay positive, a warning says so; with a tolerance,
     /// or where they would vanish, these sections become splines within it.
@@ -249,6 +251,12 @@ fn check(args: &Args) -> Result<()> {
         (None, Some((name, span))) if is_monotone => {
             Some((span, format!("\"monotone\" chooses the tangents; leave out it or `{name}`")))
         }
+        (None, Some((name, span))) if args.degree.value == 1 => Some((
+            span,
+            format!(
+                "a skin of degree 1 has no tangents to choose; leave out `{name}`, or state a `degree` of 2 or more"
+            ),
+        )),
         (None, Some((name, span))) if args.closed => {
             Some((span, format!("a closed skin has no end where `{name}` could be")))
         }

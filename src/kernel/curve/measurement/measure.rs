@@ -52,10 +52,7 @@ impl NurbsCurve {
             let [a, b] = ends.map(|t| self.velocity_on(span, t)[0]);
             norm(b - a)
         };
-        let [first, last] = [interval.start(), interval.end()].map(|t| self.knots.span_at(t));
-        let knots = self.knots.as_slice();
-        let is_leg = |&span: &usize| work::goes_on(1) && knots[span] < knots[span + 1];
-        (first..=last).filter(is_leg).map(leg).sum()
+        self.knots.spans_within(interval).take_while(|_| work::goes_on(1)).map(leg).sum()
     }
 
     /// The curve about the middle of its box, if that is far away: differences of coordinates there
@@ -115,9 +112,9 @@ impl NurbsCurve {
 
     /// [`Self::smooth_pieces`] with their control points.
     fn narrow_parts(&self, interval: Interval, short: f64) -> Vec<CurvePart> {
-        let spans = self.knots.spans().map(|span| CurvePart::of_span(self, span));
-        let watched = spans.take_while(|_| work::goes_on(1));
-        let within: Vec<CurvePart> = watched.filter_map(|part| part.within(interval)).collect();
+        let spans = self.knots.spans_within(interval).take_while(|_| work::goes_on(1));
+        let parts = spans.map(|span| CurvePart::of_span(self, span));
+        let within: Vec<CurvePart> = parts.filter_map(|part| part.within(interval)).collect();
         let most = within.len().saturating_mul(TURN_CUTS);
         let mut parts = Vec::new();
         let mut n_cuts = 0;
