@@ -109,7 +109,7 @@ pub(super) fn exact_solid(
             _ => None,
         }));
     }
-    Ok(ExactSolid { carriers, topology, bodies: solid.bodies().map_err(blame)? })
+    Ok(ExactSolid { carriers, topology, bodies: solid.bodies(tolerance_of(job)).map_err(blame)? })
 }
 
 /// The tolerance of the document.

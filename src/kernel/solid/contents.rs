@@ -66,7 +66,7 @@ impl Solid {
             n_edges: lengths.len(),
             n_vertices: is_end.into_iter().filter(|&is_end| is_end).count(),
             n_shells: self.shells.len(),
-            n_bodies: self.bodies()?.len(),
+            n_bodies: self.bodies(tolerance)?.len(),
             genus: topology.genus(),
             volume: volume.amount,
             volume_error: volume.relative_error * volume.amount + strips,

@@ -1,7 +1,9 @@
 //! Which shells lie in which.
 //!
-//! Shells that do not meet lie in one another or beside one another: the solid angle under which a shell is seen
-//! from a place of another tells which, as it is 4π from inside and 0 from outside.
+//! Shells that do not meet lie in one another or beside one another: which, any place of one tells by the face of the
+//! other that is nearest to it. Where that is a corner, the solid angle tells under which the other is seen: it is 4π
+//! from inside and 0 from outside. That is asked last: parts of one body lie on the same surfaces, and an integral over
+//! a face that begins beside it passes through the place.
 
 use std::{f64::consts::PI, sync::Arc};
 
@@ -23,7 +25,7 @@ use crate::{
 ///
 /// let ball = |radius: f64| Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, radius)?), Tolerance::DEFAULT);
 /// let nested = Solid::new(&[ball(1.0)?, ball(3.0)?, ball(2.0)?], Tolerance::DEFAULT)?;
-/// let bodies = nested.bodies()?;
+/// let bodies = nested.bodies(Tolerance::DEFAULT)?;
 /// assert_eq!((&bodies[0].outer[..], bodies[0].voids.len()), (&[0][..], 0));
 /// assert_eq!((&bodies[1].outer[..], &bodies[1].voids[..]), (&[1][..], &[vec![2]][..]));
 /// # Ok::<(), virote_kernel::GeomError>(())
@@ -41,8 +43,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`SolidError::UnclearNesting`]; `GeomError::Ended`.
-    pub fn bodies(&self) -> Result<Vec<SolidBody>, GeomError> {
-        let around = self.surrounding()?;
+    pub fn bodies(&self, tolerance: Tolerance) -> Result<Vec<SolidBody>, GeomError> {
+        let around = self.surrounding(tolerance)?;
         let mut bodies = Vec::new();
         for (shell, own) in around.iter().enumerate().filter(|(_, own)| own.len() % 2 == 0) {
             // A void is within one shell more, and that is this one.
@@ -65,18 +67,18 @@ impl Solid {
                 self.check_apart([i, j], tolerance)?;
             }
         }
-        let around = self.surrounding()?.into_iter().enumerate();
+        let around = self.surrounding(tolerance)?.into_iter().enumerate();
         Ok(around.filter(|(_, own)| own.len() % 2 == 1).map(|(shell, _)| shell).collect())
     }
 
     /// For each shell those around it.
-    fn surrounding(&self) -> Result<Vec<Vec<usize>>, GeomError> {
+    fn surrounding(&self, tolerance: Tolerance) -> Result<Vec<Vec<usize>>, GeomError> {
         let boxes: Vec<Bounds> = self.shells().map(box_around).collect();
         let mut all = Vec::with_capacity(boxes.len());
         for (i, own) in boxes.iter().enumerate() {
             let mut around = Vec::new();
             for (j, other) in boxes.iter().enumerate().filter(|&(j, _)| j != i) {
-                if holds(*other, *own) && self.is_within(i, j)? {
+                if holds(*other, *own) && self.is_within([i, j], tolerance)? {
                     around.push(j);
                 }
             }
@@ -103,17 +105,41 @@ impl Solid {
     /// Whether a shell lies within another one, which it does not meet.
     ///
     /// # Errors
-    /// [`SolidError::UnclearNesting`]; `GeomError::Ended`.
-    fn is_within(&self, inner: usize, outer: usize) -> Result<bool, GeomError> {
-        let point = self.faces[self.shells[inner][0]].border_place();
-        let mut turns = 0.0;
-        for &face in &self.shells[outer] {
-            turns += self.faces[face].solid_angle(point)? / (4.0 * PI);
+    /// [`SolidError::UnclearNesting`]; those of [`Self::closest`].
+    fn is_within(
+        &self,
+        [inner, outer]: [usize; 2],
+        tolerance: Tolerance,
+    ) -> Result<bool, GeomError> {
+        let shell = &self.shells[outer];
+        let places: Vec<DVec3> =
+            self.shells[inner].iter().map(|&face| self.faces[face].border_place()).collect();
+        for &place in &places {
+            if let Some(is_behind) = self.is_behind(shell, place, tolerance)? {
+                // Voids have their inside before them.
+                return Ok(is_behind == self.looks_outward(shell)?);
+            }
         }
-        if (turns - turns.round()).abs() <= WHOLE_TURN_SLACK {
-            return Ok(turns.round() != 0.0);
+        for &place in &places {
+            let mut turns = 0.0;
+            for &face in shell {
+                turns += self.faces[face].solid_angle(place)? / (4.0 * PI);
+            }
+            if (turns - turns.round()).abs() <= WHOLE_TURN_SLACK {
+                return Ok(turns.round() != 0.0);
+            }
         }
-        Err(SolidError::UnclearNesting { point }.into())
+        Err(SolidError::UnclearNesting { point: places[0] }.into())
+    }
+
+    /// Whether what faces that close enclose is behind them.
+    fn looks_outward(&self, shell: &[usize]) -> Result<bool, GeomError> {
+        let about = box_around(shell.iter().map(|&face| &self.faces[face])).center();
+        let mut flux = 0.0;
+        for &face in shell {
+            flux += self.faces[face].flux_from(about)?.values[0];
+        }
+        Ok(0.0 < flux)
     }
 }
 

@@ -42,18 +42,21 @@ impl Solid {
         point: DVec3,
         tolerance: Tolerance,
     ) -> Result<SolidClosestPoint, GeomError> {
-        Ok(self.nearest_feet(point, 0.0, tolerance)?[0])
+        Ok(self.nearest_feet(0..self.faces.len(), point, 0.0, tolerance)?[0])
     }
 
-    /// The nearest points of faces that are at most so much further away than the nearest, which comes first.
+    /// The nearest points of some of the faces that are at most so much further away than the nearest, which comes
+    /// first.
     fn nearest_feet(
         &self,
+        among: impl IntoIterator<Item = usize>,
         point: DVec3,
         further: f64,
         tolerance: Tolerance,
     ) -> Result<Vec<SolidClosestPoint>, GeomError> {
         let (mut feet, mut least): (Vec<SolidClosestPoint>, f64) = (Vec::new(), f64::INFINITY);
-        for (face, own) in self.faces.iter().enumerate() {
+        for face in among {
+            let own = &self.faces[face];
             if own.surface().bounds().distance(point) <= least + further {
                 let foot = own.closest(point, tolerance)?;
                 least = least.min(foot.distance);
@@ -92,7 +95,7 @@ impl Solid {
         if distance < around.distance(point) {
             return Ok(RegionSide::Outside);
         }
-        let feet = self.nearest_feet(point, distance, tolerance)?;
+        let feet = self.nearest_feet(0..self.faces.len(), point, distance, tolerance)?;
         if feet[0].foot.distance <= distance {
             return Ok(RegionSide::Border);
         }
@@ -112,6 +115,18 @@ impl Solid {
             return Err(SolidError::UnclearSide { point, distance }.into());
         }
         Ok(side(turns.round() != 0.0))
+    }
+
+    /// Whether some of the faces, which close, have a point behind them, where the nearest of them tells.
+    pub(super) fn is_behind(
+        &self,
+        faces: &[usize],
+        point: DVec3,
+        tolerance: Tolerance,
+    ) -> Result<Option<bool>, GeomError> {
+        let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
+        let feet = self.nearest_feet(faces.iter().copied(), point, distance, tolerance)?;
+        Ok(self.most_ahead(point, &feet, distance).map(|ahead| ahead < 0.0))
     }
 
     /// The cosine between the way from a face to a point and its normal, for a face that it is straight above or

@@ -88,22 +88,32 @@ impl Face {
             }
             match edge.arc.checked_sub(n_border) {
                 Some(_) => found.push(edge.interval),
-                // An arc of the border runs there: where on the curve is known by its ends.
-                None => {
-                    let ends = [edge.curve.start(), edge.curve.end()];
-                    let nearest = arcs.iter().find_map(|arc| {
-                        let feet = ends.map(|end| arc.closest(end, distance));
-                        let is_along = feet.iter().all(|foot| foot.distance <= 2.0 * distance);
-                        let [a, b] = feet.map(|foot| foot.parameter);
-                        Interval::new(a.min(b), a.max(b)).ok().filter(|_| is_along)
-                    });
-                    found.extend(nearest);
-                }
+                // An arc of the border runs there.
+                None => found.extend(arcs.iter().find_map(|arc| along(arc, &edge.curve, distance))),
             }
         }
         sort_by(&mut found, |a, b| a.start().total_cmp(&b.start()));
         Ok(found)
     }
+}
+
+/// The interval of an arc's parameters over which another curve runs along it, by the ends and the middle of that; none if
+/// it runs elsewhere.
+fn along(arc: &NurbsCurve, other: &NurbsCurve, distance: f64) -> Option<Interval> {
+    let domain = other.domain();
+    let feet = [0.0, 0.5, 1.0].map(|at| arc.closest(other.point_at(domain.at(at)), distance));
+    if feet.iter().any(|foot| 2.0 * distance < foot.distance) {
+        return None;
+    }
+    let [first, middle, last] = feet.map(|foot| foot.parameter);
+    let (low, high) = (first.min(last), first.max(last));
+    // A closed arc begins and ends in one place, of which its nearest point names either parameter.
+    let [start, end] = match middle {
+        middle if middle < low => [arc.domain().start(), low],
+        middle if high < middle => [high, arc.domain().end()],
+        _ => [low, high],
+    };
+    Interval::new(start, end).ok()
 }
 
 /// The parts of a curve over intervals in their order, those that follow one another as one.
