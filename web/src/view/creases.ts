@@ -16,9 +16,9 @@ export function creaseEnds({ positions, triangles }: Buffers): Float32Array {
   for (let t = 0; t < triangles.length; t += 3) {
     for (let k = 0; k < 3; k++) {
       const a = welded[triangles[t + k]];
-      const b = welded[triangles[t + ((k + 1) % 3)]];
+      const b = welded[triangles[k === 2 ? t : t + k + 1]];
       if (a === b) continue;
-      const slot = table.slot(Math.min(a, b), Math.max(a, b));
+      const slot = a < b ? table.slot(a, b) : table.slot(b, a);
       const other = table.face[slot];
       if (other === NEW) {
         table.face[slot] = t;
@@ -73,7 +73,9 @@ function weld(positions: Float32Array): Uint32Array {
   const mask = powerAbove(1.4 * welded.length) - 1;
   const table = new Int32Array(mask + 1).fill(-1);
   for (let i = 0; i < welded.length; i++) {
-    const [x, y, z] = [bits[3 * i], bits[3 * i + 1], bits[3 * i + 2]];
+    const x = bits[3 * i];
+    const y = bits[3 * i + 1];
+    const z = bits[3 * i + 2];
     let slot = mixed(x, y, z) & mask;
     let first = table[slot];
     while (first !== -1 && (bits[3 * first] !== x || bits[3 * first + 1] !== y || bits[3 * first + 2] !== z)) {
@@ -97,16 +99,28 @@ function mixed(x: number, y: number, z: number): number {
   return (h ^ (h >>> 13)) >>> 0;
 }
 
-/** Unit normals of the faces, at the index of their first corner; of a face without area zero. */
+/** Unit normals of the faces, at the index of their first corner; of a face without area zero. Without lists, which would be made for every face. */
 function faceNormals(p: Float32Array, triangles: Uint32Array): Float32Array {
   const normals = new Float32Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
-    const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-    const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-    const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-    const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(x, y, z);
-    if (length > 0) normals.set([x / length, y / length, z / length], t);
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ux = p[b] - p[a];
+    const uy = p[b + 1] - p[a + 1];
+    const uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a];
+    const vy = p[c + 1] - p[a + 1];
+    const vz = p[c + 2] - p[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    // No square of what a single number holds is beyond a double one.
+    const length = Math.sqrt(x * x + y * y + z * z);
+    if (length === 0) continue;
+    normals[t] = x / length;
+    normals[t + 1] = y / length;
+    normals[t + 2] = z / length;
   }
   return normals;
 }

@@ -83,17 +83,17 @@ export class Painter {
     this.size = [width, height];
     this.ratio = Math.min(devicePixelRatio, 2);
     this.drop();
-    this.take(1);
+    // The next frame is a quick one where smooth ones take long.
+    this.take(this.isSlow ? this.share : 1);
   }
 
-  /** Gives the canvas a share of the pixels along each side, unless it has it. */
+  /** Gives the canvas a share of the pixels along each side, unless it has it: to take another size waits for the renderer. */
   private take(share: number): void {
     const [width, height] = this.size;
     const wanted = share * this.ratio;
     const isIt = ([length, now]: number[]): boolean => Math.floor(length * wanted) === now;
     if (this.renderer.getPixelRatio() === wanted && [[width, this.canvas.width], [height, this.canvas.height]].every(isIt)) return;
-    this.renderer.setPixelRatio(wanted);
-    this.renderer.setSize(width, height, false);
+    this.renderer.setDrawingBufferSize(width, height, wanted);
   }
 
   /** Draws a frame, a quick one where it need not be smooth. */

@@ -113,9 +113,9 @@ export class Shape {
     const { buffers } = this;
     switch (part) {
       case "edges": {
-        const ends = endsOf(buffers.edges);
         // Of a mesh come the sides of all its faces: they are its wires, and its creases are found here.
         if (buffers.kind === "mesh" && buffers.triangles) return creaseEnds(buffers);
+        const ends = endsOf(buffers.edges);
         return buffers.segments ? joined(ends, buffers.segments) : ends;
       }
       case "isocurves":
