@@ -118,3 +118,27 @@ fn slivers_as_thick_as_the_tolerance_are_cut_or_refused_with_the_edge() {
         }
     }
 }
+
+/// Of a cone of radius and height 1, a plane through its axis leaves halves; one through its tip that meets the floor
+/// at x = 1/3 leaves above it a cone over the segment of the circle there.
+#[test]
+fn planes_beside_the_tip_of_a_cone_cut_through_it() {
+    let cone = whole(NurbsSurface::cone(Frame::XY, [1.0, 0.0], 1.0).expect("a cone"));
+    let cone = Solid::capped(&[cone], TOLERANCE).expect("a body");
+    let (cos, chord) = (1.0 / 3.0, 8.0_f64.sqrt() / 3.0);
+    let segment = (f64::acos(cos) - cos * chord) / 3.0;
+    let half = PI / 6.0;
+    let cases = [(DVec3::X, [half; 2]), (DVec3::new(3.0, 0.0, 1.0), [PI / 3.0 - segment, segment])];
+    for (normal, volumes) in cases {
+        for (k, by) in [0.0, 1e-9, -1e-9, 1e-7, 5e-7].into_iter().enumerate() {
+            let found = sides((&cone, DVec3::Z, normal), by, k as f64);
+            for (i, (side, volume)) in found.into_iter().zip(volumes).enumerate() {
+                let what = format!("{normal}, by {by}, side {i}");
+                let side = side.expect(&what).expect(&what);
+                let amount = side.volume_mass().expect(&what).amount;
+                assert!((amount - volume).abs() < 3e-6, "{what}: {amount} for {volume}");
+                check_mesh(&meshed(&side).expect(&what), volume, &what);
+            }
+        }
+    }
+}
