@@ -2,7 +2,8 @@
 //!
 //! Such a plane and the one through the edge there are the same within the tolerance, but the first leaves slivers
 //! between itself and the edge, of which no side can be told. Beside the tip of a cone, which is less than the tolerance
-//! across there, nothing tells where the plane cuts it: the plane through the tip is taken at once.
+//! across there, nothing tells where the plane cuts it: the plane through the tip is taken at once, and so is that
+//! through an edge which is within the tolerance from end to end.
 
 use glam::DVec3;
 
@@ -29,8 +30,9 @@ fn moved(plane: Frame, place: &RimPlace) -> Frame {
 }
 
 impl Solid {
-    /// What an operation makes of a plane, or of the parallel one through a place within the tolerance to which a face
-    /// narrows; where it cannot tell, what it makes of the one through an edge that runs along it within the tolerance.
+    /// What an operation makes of a plane, or of the parallel one through a place to which a face narrows, or an edge
+    /// from end to end, within the tolerance; where it cannot tell, what it makes of the one through an edge that runs
+    /// along it within the tolerance somewhere.
     ///
     /// # Errors
     /// Those of the operation; [`SolidError::ThinCut`] instead where an edge is hardly further than the tolerance, and
@@ -44,8 +46,11 @@ impl Solid {
         let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
         let rounding = EXACT_RELATIVE * box_around(&self.faces).magnitude();
         let narrow = self.narrow_places(plane, [distance, TIP_CUT * distance])?;
-        let plane = match narrow.first() {
-            Some(place) if place.height.abs() <= distance => moved(plane, place),
+        let mut one = self.rims_along(plane, distance, tolerance)?;
+        one.extend(narrow.iter().filter(|place| place.height.abs() <= distance));
+        let nearest = one.into_iter().min_by(|a, b| a.height.abs().total_cmp(&b.height.abs()));
+        let plane = match nearest {
+            Some(place) if rounding < place.height.abs() => moved(plane, &place),
             _ => plane,
         };
         let error = match operation(plane) {
@@ -70,6 +75,43 @@ impl Solid {
                 false => SolidError::ThinCut { point, thickness, tolerance }.into(),
             }
         }))
+    }
+
+    /// A place of each edge that is within a distance of a plane from end to end.
+    ///
+    /// # Errors
+    /// Those of [`crate::Face::edges`].
+    fn rims_along(
+        &self,
+        plane: Frame,
+        distance: f64,
+        tolerance: Tolerance,
+    ) -> Result<Vec<RimPlace>, GeomError> {
+        let mut places = Vec::new();
+        for face in &self.faces {
+            GeomError::go_on(1)?;
+            let [lowest, highest] = heights(face.surface().bounds(), plane);
+            if distance < lowest || highest < -distance {
+                continue;
+            }
+            for edge in face.edges(tolerance)? {
+                let [lowest, highest] = heights(edge.bounds(), plane);
+                if distance < lowest || highest < -distance {
+                    continue;
+                }
+                let above = edge.points().into_iter().map(|p| (p - plane.origin()).dot(plane.z()));
+                let [low, high] = above
+                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], height| {
+                        [height.min(a), height.max(b)]
+                    });
+                let is_along = -distance <= low && high <= distance;
+                if is_along && THIN_CUT * distance < edge.bounds().diagonal() {
+                    let (point, height) = (edge.start(), 0.5 * (low + high));
+                    places.push(RimPlace { point, height, is_narrow: false });
+                }
+            }
+        }
+        Ok(places)
     }
 
     /// The places to which faces narrow no further from a plane than some reach, the nearest first.
