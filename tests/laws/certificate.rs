@@ -160,3 +160,36 @@ fn a_sphere_cut_through_its_poles_has_parameters_on_both_sides_of_them() {
         }
     }
 }
+
+/// Circles and loops that run over the seams of both surfaces in one place, or in two, in either sense.
+#[test]
+fn what_runs_over_seams_of_both_surfaces_is_proven() {
+    let ball = sphere(DVec3::ZERO, 1.0);
+    let torus = NurbsSurface::torus(Frame::XY, 2.0, 0.5).expect("a torus");
+    let tall = |x: f64, radius: f64| tube(DVec3::X * x, DVec3::Z, radius, 6.0);
+    let pairs = [
+        (&ball, tall(0.0, 0.6)),
+        (&ball, tall(0.2, 0.6)),
+        (&ball, tall(-0.2, 0.6)),
+        (&torus, tall(0.0, 2.1)),
+        (&torus, sphere(DVec3::ZERO, 2.1)),
+        (&torus, sphere(DVec3::X * 0.3, 2.1)),
+    ];
+    for (number, (one, other)) in pairs.iter().enumerate() {
+        let surfaces = [*one, other];
+        let [a, b] = surfaces.map(|surface| Surface::from(surface.clone()));
+        let found = a.intersections(&b, Tolerance::DEFAULT).expect("curves");
+        assert_eq!(found.curves.len(), 2, "{number}");
+        for curve in &found.curves {
+            let told = SurfaceCurve::of(curve, surfaces, 1e-6).expect("what is known of it");
+            assert!(told.is_proven && told.deviation <= 1e-6, "{number}: {}", told.deviation);
+            assert_eq!(told.between, [CurveEnd::Closed; 2], "{number}");
+            keeps_its_bounds(&told, surfaces);
+            if number == 0 {
+                let around = 1.2 * std::f64::consts::PI;
+                let length = told.curve.length(told.curve.domain());
+                assert!((length - around).abs() < 1e-5, "{length} for {around}");
+            }
+        }
+    }
+}

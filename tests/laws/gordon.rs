@@ -226,3 +226,35 @@ fn a_gap_takes_its_part_of_the_tolerance() {
         assert_eq!(made(part * tolerance, tolerance), without, "{part}");
     }
 }
+
+/// A curve may go far between two of its knots that are hardly apart: its corners there are on the surface, or there
+/// is none.
+#[test]
+fn corners_at_neighbouring_parameters_are_kept() {
+    let line = |ends: [[f64; 3]; 2]| NurbsCurve::polyline(&ends.map(DVec3::from_array)).unwrap();
+    let vs = [
+        line([[0.0, 0.0, 0.0], [0.0, 4.0, 0.0]]),
+        line([[0.5, 0.0, 0.0], [2.0, 4.0, 0.0]]),
+        line([[4.0, 0.0, 0.0], [4.0, 4.0, 0.0]]),
+    ];
+    let far = line([[0.0, 4.0, 0.0], [4.0, 4.0, 0.0]]);
+    let mut n_made = 0;
+    for apart in [0.1, 1e-3, 1e-5, 2e-6, 5e-7, 5e-8, 1e-9, 3e-12] {
+        // Before and behind a step of √0.29 in the middle, and the same at the end.
+        for knots in [[0.5, 0.5 + apart], [1.0 - 2.0 * apart, 1.0 - apart]] {
+            let corners = [DVec3::X, DVec3::new(1.2, 0.0, 0.5)];
+            let points = [DVec3::ZERO, corners[0], corners[1], DVec3::X * 4.0];
+            let knots = KnotVector::new(1, vec![0.0, 0.0, knots[0], knots[1], 1.0, 1.0]).unwrap();
+            let near = NurbsCurve::polynomial(knots, &points).unwrap();
+            let curves = [&[near, far.clone()][..], &vs[..]];
+            let network = Network { curves, at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+            let Ok(made) = gordon(network) else { continue };
+            n_made += 1;
+            for corner in corners {
+                let distance = made.surface.closest(corner).distance;
+                assert!(distance <= 1e-6, "{apart}: {distance}");
+            }
+        }
+    }
+    assert!(4 <= n_made, "{n_made}");
+}

@@ -293,3 +293,28 @@ fn planes_beside_the_axis_of_a_torus_and_of_a_ring_leave_both_sides() {
         }
     }
 }
+
+/// Through an edge of the floor of an angle iron as far as its concave corner, and on through the floor: what is below
+/// y = 1 + z/2 of x ≤ 2, y ≤ 1 and of x ≤ 1, y ≤ 2 is 2 + ∫ z/2 dz = 9/4 of 3, and the cut is √5/2 long and 1 wide.
+#[test]
+fn a_plane_goes_on_along_an_edge_behind_a_concave_corner() {
+    let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let corners = corners.map(|[x, y]| [x, y, 0.0]);
+    let iron = Solid::extruded(&region(&polygon(&corners), &[]), DVec3::Z, TOLERANCE);
+    let iron = iron.expect("an angle iron");
+    let (corner, normal) = (DVec3::new(1.0, 1.0, 0.0), DVec3::new(0.0, 1.0, -0.5));
+    let mirror = DAffine3::from_axis_angle(DVec3::new(1.0, 1.0, 0.0).normalize(), PI);
+    for turn in 0..6 {
+        let axis = DVec3::new(1.0, f64::from(turn) - 2.5, 0.7).normalize();
+        let place = DAffine3::from_translation(DVec3::new(2.0, -1.0, 0.5))
+            * DAffine3::from_axis_angle(axis, f64::from(turn));
+        for map in [place, place * mirror] {
+            let solid = iron.transformed(&map).expect("an image");
+            let (point, up) = (map.transform_point3(corner), map.transform_vector3(normal));
+            let ([below, above], area) =
+                cut(&solid, Frame::from_normal(point, up, None).expect("a plane"));
+            assert!((below - 2.25).abs() < 1e-9 && (above - 0.75).abs() < 1e-9, "{below}, {above}");
+            assert!((area - 0.5 * 5.0_f64.sqrt()).abs() < 1e-9, "{turn}: {area}");
+        }
+    }
+}

@@ -118,3 +118,57 @@ fn slivers_as_thick_as_the_tolerance_are_cut_or_refused_with_the_edge() {
         }
     }
 }
+
+#[test]
+fn planes_beside_a_whole_rim_cut_through_it() {
+    let globe = Solid::new(&[ball(DVec3::ZERO, 1.0)], TOLERANCE).expect("a ball");
+    let half = globe.cut(Frame::XY, true, TOLERANCE).expect("a half").expect("something");
+    let volumes = [0.0, 2.0 / 3.0 * PI];
+    for (k, by) in [0.0, 1e-9, -1e-9, 1e-7, -5e-7, 1e-6, -2e-6].into_iter().enumerate() {
+        let found = sides((&half, DVec3::X, DVec3::Z), by, k as f64);
+        for (i, (side, volume)) in found.into_iter().zip(volumes).enumerate() {
+            let what = format!("{volumes:?}, by {by}, side {i}");
+            let side = match side {
+                Err(GeomError::Solid(SolidError::ThinCut { .. })) if 5e-7 < f64::abs(by) => {
+                    continue;
+                }
+                side => side.expect(&what),
+            };
+            let amount = side.as_ref().map_or(0.0, |side| side.volume_mass().expect(&what).amount);
+            assert!((amount - volume).abs() < 8e-6, "{what}: {amount} for {volume}");
+            for chord in [0.05, 0.01] {
+                let options =
+                    TessellationOptions { weld: 1e-6, ..TessellationOptions::within(chord) };
+                let Some(side) = side.as_ref().filter(|_| f64::abs(by) <= 5e-7) else {
+                    continue;
+                };
+                let check = side.mesh(&options, 1_000_000).expect(&what).check(TOLERANCE);
+                assert!(check.is_closed && check.is_manifold, "{what}, {chord}: {check:?}");
+            }
+        }
+    }
+}
+
+/// Of a cone of radius and height 1, a plane through its axis leaves halves; one through its tip that meets the floor
+/// at x = 1/3 leaves above it a cone over the segment of the circle there.
+#[test]
+fn planes_beside_the_tip_of_a_cone_cut_through_it() {
+    let cone = whole(NurbsSurface::cone(Frame::XY, [1.0, 0.0], 1.0).expect("a cone"));
+    let cone = Solid::capped(&[cone], TOLERANCE).expect("a body");
+    let (cos, chord) = (1.0 / 3.0, 8.0_f64.sqrt() / 3.0);
+    let segment = (f64::acos(cos) - cos * chord) / 3.0;
+    let half = PI / 6.0;
+    let cases = [(DVec3::X, [half; 2]), (DVec3::new(3.0, 0.0, 1.0), [PI / 3.0 - segment, segment])];
+    for (normal, volumes) in cases {
+        for (k, by) in [0.0, 1e-9, -1e-9, 1e-7, 5e-7].into_iter().enumerate() {
+            let found = sides((&cone, DVec3::Z, normal), by, k as f64);
+            for (i, (side, volume)) in found.into_iter().zip(volumes).enumerate() {
+                let what = format!("{normal}, by {by}, side {i}");
+                let side = side.expect(&what).expect(&what);
+                let amount = side.volume_mass().expect(&what).amount;
+                assert!((amount - volume).abs() < 3e-6, "{what}: {amount} for {volume}");
+                check_mesh(&meshed(&side).expect(&what), volume, &what);
+            }
+        }
+    }
+}

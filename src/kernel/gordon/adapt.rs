@@ -5,7 +5,10 @@ use super::{
     map::NetworkParameterMap,
     refit::{RefitRequest, refitted},
 };
-use crate::{GeomError, Interval, KnotVector, NurbsCurve, curve::on_one_denominator};
+use crate::{
+    GeomError, Interval, KnotVector, NurbsCurve, curve::on_one_denominator,
+    tolerance::UNCHANGED_SHARE,
+};
 
 /// The degree of curves that become splines, if none has a higher one.
 const DEGREE: usize = 3;
@@ -88,7 +91,8 @@ pub(super) fn adapt(
             )?,
             false => NetworkParameterMap::new(at, &own, is_ring)?,
         };
-        let (curve, own_rough) = map.applied(&member.curve.without_needless_knots())?;
+        let (curve, own_rough) =
+            map.applied(&member.curve.without_needless_knots(), UNCHANGED_SHARE * near)?;
         rough.extend(own_rough);
         member.changes.is_reparametrized = !is_there;
         member.changes.is_refitted = true;

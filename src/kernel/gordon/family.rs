@@ -107,7 +107,7 @@ pub(super) fn in_order(
             let others_curves = [us, vs][along.other()];
             member.check_order(along, others, others_curves, tolerance)?;
             if !is_ring {
-                member.trim()?;
+                member.trim(tolerance)?;
             }
             members.push(member);
         }
@@ -214,9 +214,9 @@ impl NetworkCurve {
             self.reverse();
         }
         let domain = self.curve.domain();
-        let same = PLACE_RELATIVE * domain.length();
         let start = self.at[0];
-        let is_at_seam = start - domain.start() <= same || domain.end() - start <= same;
+        let ends = [domain.start(), domain.end()];
+        let is_at_seam = ends.into_iter().any(|end| self.is_one_place([start, end], tolerance));
         self.at = cyclic(&self.at, domain);
         if !is_at_seam {
             self.curve = self.curve.with_seam_at(start, tolerance)?;
@@ -243,12 +243,21 @@ impl NetworkCurve {
         Err(NetworkError::Order { along, curve: self.changes.index, others, at, crossing })
     }
 
+    /// Whether two parameters are one, and the curve goes nowhere between them.
+    fn is_one_place(&self, [a, b]: [f64; 2], tolerance: f64) -> bool {
+        let is_one = (a - b).abs() <= PLACE_RELATIVE * self.curve.domain().length();
+        let points = [a, b].map(|t| self.curve.point_at(t));
+        is_one && points[0].distance(points[1]) <= UNCHANGED_SHARE * tolerance
+    }
+
     /// Cuts off what stands out beyond the first and the last meeting.
-    fn trim(&mut self) -> Result<(), GeomError> {
+    fn trim(&mut self, tolerance: f64) -> Result<(), GeomError> {
         let (domain, last) = (self.curve.domain(), self.at.len() - 1);
-        let same = PLACE_RELATIVE * domain.length();
-        let start = if self.at[0] - domain.start() <= same { domain.start() } else { self.at[0] };
-        let end = if domain.end() - self.at[last] <= same { domain.end() } else { self.at[last] };
+        let from = |t: f64, end: f64| {
+            if self.is_one_place([t, end], tolerance) { end } else { t }
+        };
+        let start = from(self.at[0], domain.start());
+        let end = from(self.at[last], domain.end());
         if domain.start() < start || end < domain.end() {
             self.curve = self.curve.trimmed(Interval::new(start, end)?)?;
             self.changes.is_trimmed = true;

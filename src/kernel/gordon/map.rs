@@ -118,23 +118,39 @@ impl NetworkParameterMap {
         0.5 * (low + high)
     }
 
+    /// Whether a curve run through by the map stays within a distance of one place between two parameters.
+    fn is_still(&self, curve: &NurbsCurve, ends: [f64; 2], near: f64) -> bool {
+        let [start, end] = ends.map(|t| self.at(t));
+        // What is too narrow for a part holds no knot.
+        let part = Interval::new(start, end).and_then(|part| curve.trimmed(part));
+        part.map_or(true, |part| part.bounds().diagonal() <= near)
+    }
+
     /// The curve run through by the map: exact, of the product of both degrees, in pieces that
     /// meet; and the parameters at which its knots allow no second derivative, each with the order
     /// of the derivatives that there are.
     ///
+    /// Breaks beside one another are one where the curve goes no further than `near` between them.
+    ///
     /// de Casteljau's algorithm on polynomials: Farin, *Curves and Surfaces for CAGD*, §5.5.
+    ///
+    /// # Errors
+    /// Those of [`KnotVector::new`] where the curve goes further between breaks that are one parameter.
     pub(crate) fn applied(
         &self,
         curve: &NurbsCurve,
+        near: f64,
     ) -> Result<(NurbsCurve, Vec<(f64, usize)>), GeomError> {
         let domain = Interval::new(self.breaks[0], self.breaks[self.breaks.len() - 1])?;
         let same = KNOT_RELATIVE.sqrt() * domain.length();
-        let inside = |t: &f64| domain.start() + same < *t && *t < domain.end() - same;
+        let inside = |t: &f64| domain.start() < *t && *t < domain.end();
         let own = curve.knots().breaks();
         let images: Vec<f64> = own.iter().map(|&t| self.inverse(t)).filter(inside).collect();
         let mut breaks = [&self.breaks[..], &images].concat();
         breaks.sort_by(f64::total_cmp);
-        breaks.dedup_by(|later, earlier| *later - *earlier <= same);
+        breaks.dedup_by(|later, earlier| {
+            *later - *earlier <= same && self.is_still(curve, [*earlier, *later], near)
+        });
         let last = breaks.len() - 1;
         breaks[last] = domain.end();
 
@@ -166,11 +182,12 @@ impl NetworkParameterMap {
         }
         knots.extend(vec![domain.end(); degree + 1]);
         let p = curve.degree();
+        let is_kept = |image: f64| breaks[1..last].iter().any(|b| (b - image).abs() <= same);
         let rough = |(t, times): (f64, usize)| {
             let order = p.saturating_sub(times);
             let image = self.inverse(t);
             let is_inner = curve.domain().start() < t && t < curve.domain().end();
-            (is_inner && order < 2 && inside(&image)).then_some((image, order))
+            (is_inner && order < 2 && is_kept(image)).then_some((image, order))
         };
         let corners = curve.knots().distinct().into_iter().filter_map(rough).collect();
         Ok((NurbsCurve::new(KnotVector::new(degree, knots)?, points)?, corners))

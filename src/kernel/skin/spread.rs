@@ -3,7 +3,7 @@
 use crate::{
     GeomError, Interval, NurbsCurve,
     gordon::{NetworkParameterMap, RefitRequest, refitted},
-    tolerance::PLACE_RELATIVE,
+    tolerance::{PLACE_RELATIVE, UNCHANGED_SHARE},
 };
 
 /// Parts of a span whose lengths are met.
@@ -39,7 +39,8 @@ pub fn at_constant_speed(
             continue;
         }
         let map = NetworkParameterMap::new(&fractions, &parameters, false)?;
-        let (run, rough) = map.applied(&curve.without_needless_knots())?;
+        let near = UNCHANGED_SHARE * tolerance;
+        let (run, rough) = map.applied(&curve.without_needless_knots(), near)?;
         held.extend(rough.into_iter().map(|(t, order)| (t, DEGREE - order)));
         waiting.push((k, run));
     }

@@ -1,61 +1,143 @@
-//! Planes that pass an edge within the tolerance where it runs along them.
+//! Planes that pass an edge within the tolerance where it runs along them, or a place to which a face narrows.
 //!
 //! Such a plane and the one through the edge there are the same within the tolerance, but the first leaves slivers
-//! between itself and the edge, of which no side can be told.
+//! between itself and the edge, of which no side can be told. Beside the tip of a cone, which is less than the tolerance
+//! across there, nothing tells where the plane cuts it: the plane through the tip is taken at once, and so is that
+//! through an edge which is within the tolerance from end to end.
 
 use glam::DVec3;
 
-use super::{Solid, SolidError, box_around};
+use super::{Solid, SolidError, box_around, cut::heights};
 use crate::{
     FaceError, Frame, GeomError, Tolerance,
     ceiling::RIMS_BESIDE_PLANE,
     sorting::sort_by,
-    tolerance::{EXACT_RELATIVE, THIN_CUT},
+    tolerance::{EXACT_RELATIVE, THIN_CUT, TIP_CUT},
 };
 
-/// Where an edge runs along a plane, or ends.
+/// Where an edge runs along a plane, or ends, or a face narrows to a point.
 #[derive(Clone, Copy, Debug)]
 struct RimPlace {
     point: DVec3,
     /// Over the plane.
     height: f64,
+    is_narrow: bool,
+}
+
+/// The plane through a place beside it.
+fn moved(plane: Frame, place: &RimPlace) -> Frame {
+    plane.at(plane.origin() + plane.z() * place.height)
 }
 
 impl Solid {
-    /// What an operation makes of a plane; where it cannot tell, what it makes of the parallel plane through an edge
-    /// that runs along it within the tolerance.
+    /// What an operation makes of a plane, or of the parallel one through a place to which a face narrows, or an edge
+    /// from end to end, within the tolerance; where it cannot tell, what it makes of the one through an edge that runs
+    /// along it within the tolerance somewhere.
     ///
     /// # Errors
-    /// Those of the operation; [`SolidError::ThinCut`] instead where an edge is hardly further than the tolerance.
+    /// Those of the operation; [`SolidError::ThinCut`] instead where an edge is hardly further than the tolerance, and
+    /// [`SolidError::ThinTip`] where such a place is.
     pub(super) fn at_plane_or_rim<T>(
         &self,
         plane: Frame,
         tolerance: Tolerance,
         operation: impl Fn(Frame) -> Result<T, GeomError>,
     ) -> Result<T, GeomError> {
+        let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
+        let rounding = EXACT_RELATIVE * box_around(&self.faces).magnitude();
+        let narrow = self.narrow_places(plane, [distance, TIP_CUT * distance])?;
+        let mut one = self.rims_along(plane, distance, tolerance)?;
+        one.extend(narrow.iter().filter(|place| place.height.abs() <= distance));
+        let nearest = one.into_iter().min_by(|a, b| a.height.abs().total_cmp(&b.height.abs()));
+        let plane = match nearest {
+            Some(place) if rounding < place.height.abs() => moved(plane, &place),
+            _ => plane,
+        };
         let error = match operation(plane) {
-            Err(error) if is_of_slivers(&error) => error,
+            Err(error) if is_of_slivers(&error, !narrow.is_empty()) => error,
             found => return found,
         };
-        let distance = tolerance.distance_for(box_around(&self.faces).diagonal());
         let places = self.rim_places(plane, THIN_CUT * distance, tolerance)?;
         let near = places.iter().filter(|place| place.height.abs() <= distance);
         for place in near.take(RIMS_BESIDE_PLANE) {
-            let moved = plane.at(plane.origin() + plane.z() * place.height);
-            match operation(moved) {
-                Err(error) if is_of_slivers(&error) => {}
+            match operation(moved(plane, place)) {
+                Err(error) if is_of_slivers(&error, !narrow.is_empty()) => {}
                 found => return found,
             }
         }
-        let rounding = EXACT_RELATIVE * box_around(&self.faces).magnitude();
-        Err(match places.first() {
-            // At an edge in the plane itself nothing is thin.
-            Some(place) if rounding < place.height.abs() => {
-                let (point, thickness) = (place.point, place.height.abs());
-                SolidError::ThinCut { point, thickness, tolerance: distance }.into()
+        // At an edge in the plane itself nothing is thin.
+        let mut nearest = [narrow.first(), places.first()].into_iter().flatten();
+        let beside = nearest.find(|place| rounding < place.height.abs());
+        Err(beside.map_or(error, |&RimPlace { point, height, is_narrow }| {
+            let (thickness, tolerance) = (height.abs(), distance);
+            match is_narrow {
+                true => SolidError::ThinTip { point, thickness, tolerance }.into(),
+                false => SolidError::ThinCut { point, thickness, tolerance }.into(),
             }
-            _ => error,
-        })
+        }))
+    }
+
+    /// A place of each edge that is within a distance of a plane from end to end.
+    ///
+    /// # Errors
+    /// Those of [`crate::Face::edges`].
+    fn rims_along(
+        &self,
+        plane: Frame,
+        distance: f64,
+        tolerance: Tolerance,
+    ) -> Result<Vec<RimPlace>, GeomError> {
+        let mut places = Vec::new();
+        for face in &self.faces {
+            GeomError::go_on(1)?;
+            let [lowest, highest] = heights(face.surface().bounds(), plane);
+            if distance < lowest || highest < -distance {
+                continue;
+            }
+            for edge in face.edges(tolerance)? {
+                let [lowest, highest] = heights(edge.bounds(), plane);
+                if distance < lowest || highest < -distance {
+                    continue;
+                }
+                let above = edge.points().into_iter().map(|p| (p - plane.origin()).dot(plane.z()));
+                let [low, high] = above
+                    .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], height| {
+                        [height.min(a), height.max(b)]
+                    });
+                let is_along = -distance <= low && high <= distance;
+                if is_along && THIN_CUT * distance < edge.bounds().diagonal() {
+                    let (point, height) = (edge.start(), 0.5 * (low + high));
+                    places.push(RimPlace { point, height, is_narrow: false });
+                }
+            }
+        }
+        Ok(places)
+    }
+
+    /// The places to which faces narrow no further from a plane than some reach, the nearest first.
+    ///
+    /// # Errors
+    /// Those of a search that was ended.
+    fn narrow_places(
+        &self,
+        plane: Frame,
+        [distance, reach]: [f64; 2],
+    ) -> Result<Vec<RimPlace>, GeomError> {
+        let mut places = Vec::new();
+        for face in &self.faces {
+            GeomError::go_on(1)?;
+            let [lowest, highest] = heights(face.surface().bounds(), plane);
+            if reach < lowest || highest < -reach {
+                continue;
+            }
+            places.extend(face.narrow_places(distance).into_iter().map(|point| {
+                let height = (point - plane.origin()).dot(plane.z());
+                RimPlace { point, height, is_narrow: true }
+            }));
+        }
+        places.retain(|place| place.height.abs() <= reach);
+        sort_by(&mut places, |a, b| a.height.abs().total_cmp(&b.height.abs()));
+        Ok(places)
     }
 
     /// The places where edges run along a plane or end, no further from it than some reach; the nearest first, one
@@ -69,8 +151,10 @@ impl Solid {
         reach: f64,
         tolerance: Tolerance,
     ) -> Result<Vec<RimPlace>, GeomError> {
-        let place =
-            |point: DVec3| RimPlace { point, height: (point - plane.origin()).dot(plane.z()) };
+        let place = |point: DVec3| {
+            let height = (point - plane.origin()).dot(plane.z());
+            RimPlace { point, height, is_narrow: false }
+        };
         let mut places = Vec::new();
         for face in &self.faces {
             GeomError::go_on(1)?;
@@ -89,7 +173,12 @@ impl Solid {
 }
 
 /// Whether an error may come from parts that are thinner than the tolerance.
-const fn is_of_slivers(error: &GeomError) -> bool {
+const fn is_of_slivers(error: &GeomError, is_beside_narrow: bool) -> bool {
+    if is_beside_narrow
+        && matches!(error, GeomError::Intersection(_) | GeomError::Face(_) | GeomError::Fit(_))
+    {
+        return true;
+    }
     matches!(
         error,
         GeomError::Region(_)

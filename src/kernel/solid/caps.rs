@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::{Solid, SolidError, check_pinches};
+use super::{Solid, SolidError, box_around, check_pinches};
 use crate::{
-    Bounds, Face, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance,
+    Bounds, Face, FaceError, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance,
     curve::join_chain,
     mesh::welded,
     trim::{FaceBorderEdge, rims},
@@ -71,8 +71,16 @@ pub(super) struct PlaneCaps {
 /// # Errors
 /// Those of [`Solid::capped`] but for those of bodies.
 pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCaps, GeomError> {
-    let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-    let mut rims = rims(faces, &edges, tolerance)?;
+    let mut edges = FaceBorderEdge::all(faces, 0, tolerance)?;
+    let mut rims = match rims(faces, &edges, tolerance) {
+        // Part of an edge may have a neighbour, as where a plane goes on along it behind a concave corner.
+        Err(GeomError::Face(FaceError::OpenShell { .. })) => {
+            let distance = tolerance.distance_for(box_around(faces).diagonal());
+            edges = FaceBorderEdge::divided(&edges, distance)?;
+            rims(faces, &edges, tolerance)?
+        }
+        found => found?,
+    };
     let size = rims.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
     let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
     // Where surfaces only touch a plane, crumbs of edges are left, which are one place.

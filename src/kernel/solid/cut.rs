@@ -43,8 +43,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`SolidError::UncertainCut`] where the volume is another; [`SolidError::ThinCut`] where an edge is hardly
-    /// further from the plane than the tolerance; those of [`Face::split`] but for a plane that
-    /// misses, and of [`Self::capped`].
+    /// further from the plane than the tolerance, [`SolidError::ThinTip`] where a place is to which a face narrows;
+    /// those of [`Face::split`] but for a plane that misses, and of [`Self::capped`].
     pub fn cut(
         &self,
         plane: Frame,
@@ -172,7 +172,7 @@ fn volume(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
 }
 
 /// How far below and above a plane a box reaches.
-fn heights(Bounds { min, max }: Bounds, plane: Frame) -> [f64; 2] {
+pub(super) fn heights(Bounds { min, max }: Bounds, plane: Frame) -> [f64; 2] {
     let (center, half) = (0.5 * (min + max), 0.5 * (max - min));
     let height = (center - plane.origin()).dot(plane.z());
     let reach = half.dot(plane.z().abs());

@@ -76,6 +76,12 @@ pub enum SolidError {
         few_digits(*thickness), place(*point), few_digits(*tolerance)
     )]
     ThinCut { point: DVec3, thickness: f64, tolerance: f64 },
+    /// A plane beside a place to which a face narrows.
+    #[error(
+        "the plane passes {} beside {}, where a face narrows to a point: too near for the tolerance {}",
+        few_digits(*thickness), place(*point), few_digits(*tolerance)
+    )]
+    ThinTip { point: DVec3, thickness: f64, tolerance: f64 },
     /// A side of a plane that touches itself in the plane.
     #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },

@@ -195,6 +195,12 @@ pub(crate) const VERTEX_REACH: f64 = 4.0;
 /// Larger blames slivers for what else may fail; smaller tells open rims where the sides of slivers are one.
 pub(crate) const THIN_CUT: f64 = 8.0;
 
+/// A cut that fails is told to pass too near where a face narrows to a point within so many tolerances of the plane:
+/// there its border bends within less than what it may be away.
+///
+/// Larger blames tips for what else may fail; smaller tells that no spline is near the border.
+pub(crate) const TIP_CUT: f64 = 64.0;
+
 /// How far beside a line of parameters that is a point the ways out of it are looked at, as a fraction of the domain.
 ///
 /// Larger looks where the surface bends; smaller differences rounding.

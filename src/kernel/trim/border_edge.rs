@@ -59,6 +59,37 @@ impl FaceBorderEdge {
         Self { face, curve, bounds }
     }
 
+    /// The same edges in parts that end where others do.
+    ///
+    /// # Errors
+    /// Those of [`NurbsCurve::split`]; `GeomError::Ended`.
+    pub(crate) fn divided(edges: &[Self], distance: f64) -> Result<Vec<Self>, GeomError> {
+        let reach = 2.0 * distance;
+        let ends: Vec<DVec3> =
+            edges.iter().flat_map(|edge| [edge.curve.start(), edge.curve.end()]).collect();
+        let mut parts = Vec::with_capacity(edges.len());
+        for edge in edges {
+            GeomError::go_on(1 + ends.len())?;
+            let own = [edge.curve.start(), edge.curve.end()];
+            let near = ends.iter().filter(|&&end| edge.bounds.distance(end) <= reach);
+            let apart = near.filter(|&&end| own.iter().all(|place| reach < place.distance(end)));
+            let feet = apart.map(|&end| edge.curve.closest(end, distance));
+            let mut cuts: Vec<f64> =
+                feet.filter(|foot| foot.distance <= reach).map(|foot| foot.parameter).collect();
+            cuts.sort_by(f64::total_cmp);
+            let point = |t: f64| edge.curve.point_at(t);
+            cuts.dedup_by(|next, known| point(*next).distance(point(*known)) <= reach);
+            let mut rest = edge.curve.clone();
+            for cut in cuts {
+                let [part, behind] = rest.split(cut)?;
+                parts.push(Self::new(edge.face, part));
+                rest = behind;
+            }
+            parts.push(Self::new(edge.face, rest));
+        }
+        Ok(parts)
+    }
+
     /// How far a point is from it, and its way at the place that is nearest.
     fn nearest(&self, point: DVec3, distance: f64) -> (f64, DVec3) {
         if self.curve.degree() == 1 && self.curve.control_points().len() == 2 {

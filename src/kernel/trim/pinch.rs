@@ -83,6 +83,34 @@ impl ParameterPlane {
         found.into_iter().map(|at| Pinch { across, at, point: point(at) }).collect()
     }
 
+    /// The edges of the domain that are points where the surface has a tip, like the apex of a cone: beside poles
+    /// at which it is smooth all normals are one.
+    fn tips(&self, distance: f64) -> Vec<Pinch> {
+        let mut found = Vec::new();
+        for across in (0..2).filter(|&across| !self.is_closed[across]) {
+            let (own, along) = (self.domains()[across], self.domains()[1 - across]);
+            let others =
+                parameters_of([self.surface.knots_u(), self.surface.knots_v()][1 - across]);
+            for (end, step) in [(own.start(), PINCH_STEP), (own.end(), -PINCH_STEP)] {
+                let is_point = self.width((across, end), LOOKS.map(|look| along.at(look)))
+                    <= 2.0 * distance
+                    && self.width((across, end), others.iter().copied()) <= 2.0 * distance;
+                let beside = end + step * own.length();
+                let normal = |&other: &f64| {
+                    let [u, v] = parameters((across, beside), other);
+                    self.surface.normal_at(u, v).ok()
+                };
+                let normals: Vec<DVec3> =
+                    others.iter().filter(|_| is_point).filter_map(normal).collect();
+                if normals.iter().any(|normal| PINCH_ALIKE < normal.distance(normals[0])) {
+                    let point = self.surface_at((across, end), along.at(0.0));
+                    found.push(Pinch { across, at: end, point });
+                }
+            }
+        }
+        found
+    }
+
     /// Whether the line at the start of a closed parameter is a point.
     pub(super) fn has_point_seam(&self, across: usize, distance: f64) -> bool {
         let (own, along) = (self.domains()[across], self.domains()[1 - across]);
@@ -128,11 +156,25 @@ impl Face {
         inside.find(|pinch| !self.plane.is_disc(pinch)).map(|pinch| pinch.point)
     }
 
+    /// The places to which it narrows, whether inside or at tips.
+    pub(crate) fn narrow_places(&self, distance: f64) -> Vec<DVec3> {
+        let pinches = self.plane.pinches(distance).into_iter();
+        let inside = pinches.filter(|pinch| self.is_inside(pinch, distance));
+        let tips = self.plane.tips(distance).into_iter();
+        let tips =
+            tips.filter(|tip| self.has_any_of(tip, distance, |side| side != RegionSide::Outside));
+        inside.chain(tips).map(|pinch| pinch.point).collect()
+    }
+
     fn is_inside(&self, pinch: &Pinch, distance: f64) -> bool {
+        self.has_any_of(pinch, distance, |side| side == RegionSide::Inside)
+    }
+
+    fn has_any_of(&self, pinch: &Pinch, distance: f64, is_it: impl Fn(RegionSide) -> bool) -> bool {
         let knots = [self.surface().knots_v(), self.surface().knots_u()][pinch.across];
         parameters_of(knots).windows(2).any(|pair| {
             let place = parameters((pinch.across, pinch.at), 0.5 * (pair[0] + pair[1]));
-            self.side_of_parameters(place, distance) == RegionSide::Inside
+            is_it(self.side_of_parameters(place, distance))
         })
     }
 

@@ -91,6 +91,7 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::UnmatchedEdge { .. }
         | SolidError::UnclearSide { .. }
         | SolidError::ThinCut { .. }
+        | SolidError::ThinTip { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }

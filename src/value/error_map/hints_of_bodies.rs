@@ -86,6 +86,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UncertainCut { .. } | SolidError::TouchesPlane { .. } => {
             "move the plane by more than the tolerance"
         }
+        SolidError::ThinTip { .. } => {
+            "move the plane through that place or clearly away from it, or state a smaller `tolerance` at the top of the script"
+        }
         SolidError::ThinCut { .. } => {
             "move the plane through the edge or clearly away from it, or state a smaller `tolerance` at the top of the script"
         }

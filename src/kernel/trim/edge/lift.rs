@@ -78,11 +78,8 @@ impl Lift<'_, '_> {
                 todo.push(halved);
                 continue;
             };
-            if let Some(k) = self.leaves(&last, &next) {
-                last = self.finder.across(&last, k, t)?;
-                if self.leaves(&last, &next).is_some() {
-                    return None;
-                }
+            if self.leaves(&last, &next).is_some() {
+                last = self.across_all(last, &next, t)?;
                 continue;
             }
             let mut end = target;
@@ -168,6 +165,16 @@ impl Lift<'_, '_> {
             a <= domain.start() + slack && b < domain.start() - slack
                 || domain.end() - slack <= a && domain.end() + slack < b
         })
+    }
+
+    /// The place as it is at the other sides of all ends of domains that it leaves on the way to the next: seams of
+    /// both surfaces may be in one place.
+    fn across_all(&self, mut place: CommonPlace, to: &CommonPlace, t: f64) -> Option<CommonPlace> {
+        for _ in 0..place.at.len() {
+            let Some(k) = self.leaves(&place, to) else { break };
+            place = self.finder.across(&place, k, t)?;
+        }
+        self.leaves(&place, to).is_none().then_some(place)
     }
 
     /// The first knot between two places: the parameter, the knot, and about how far on the way it is.
