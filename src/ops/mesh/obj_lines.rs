@@ -61,7 +61,7 @@ impl FacesWithoutArea {
         let more = match self.n_faces {
             0 => return None,
             1 => String::new(),
-            n => format!(", as {} more that the file has", n - 1),
+            n => format!(", and {} more with it", n - 1),
         };
         let line = self.line;
         Some(format!(
