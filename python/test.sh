@@ -17,7 +17,8 @@ python=$folder/venv/bin/python
 PATH=$folder/venv/bin:$PATH maturin build --quiet --profile "$profile" --out "$folder/wheels"
 wheel=("$folder"/wheels/*.whl)
 echo "${wheel[0]##*/}: $(stat -c %s "${wheel[0]}") bytes"
-"$python" -m pip install --quiet --disable-pip-version-check "${wheel[0]}" \
+# What is not imported need not be compiled.
+"$python" -m pip install --quiet --disable-pip-version-check --no-compile "${wheel[0]}" \
     pytest mypy pandas pyarrow scipy distributed optuna SALib openmdao nbclient ipykernel
 
 # Away from here, so that what is tested is the wheel.

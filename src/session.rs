@@ -93,6 +93,8 @@ pub struct Report {
     pub(crate) kept: eval::KeptGlobals,
     /// Meshes of its files.
     pub(crate) meshes: MeshMemory,
+    /// Whether nothing of the script itself lacks a value; of what it imports a part is enough.
+    pub(crate) is_whole: bool,
     /// Errors outside of its tests.
     n_untested_errors: usize,
 }
@@ -208,6 +210,14 @@ impl Session {
     #[must_use]
     pub fn n_remembered(&self) -> usize {
         self.memory.as_ref().map_or(0, |memory| memory.results.len())
+    }
+
+    /// Forgets what an incremental session remembers; its next run evaluates all anew.
+    #[cfg(feature = "cli")]
+    pub(crate) fn forget(&self) {
+        if let Some(memory) = &self.memory {
+            memory.forget();
+        }
     }
 
     /// The built-ins.
@@ -326,6 +336,7 @@ impl Session {
             unknown_settings: outcome.unknown_settings,
             kept: outcome.kept,
             meshes,
+            is_whole: outcome.is_whole,
             n_untested_errors,
             ..self.findings(sources, diagnostics)
         };
@@ -347,6 +358,7 @@ impl Session {
             unknown_settings: Vec::new(),
             kept: eval::KeptGlobals::default(),
             meshes: MeshMemory::default(),
+            is_whole: false,
             n_untested_errors,
         }
     }

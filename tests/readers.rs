@@ -279,6 +279,10 @@ fn forms_of_obj_that_other_programs_write_are_read() {
     area("vt 0 0\nf 1/1 2/1 3/1 4/1\n");
     area("vn 0 0 1\nf 1//-1 2//-1 3//-1 4//-1\n");
     area("o a\nf 1 2 3\ng b\nf 1 3 4\n");
+    // A corner that stands twice is one, and a face of two is none.
+    area("f 1 1 2 3 3 4 4 1\n");
+    area("f 1 1 2\nf 1 2 1 3\nf 2 1 3 1\nf -4 1 2\nf 1 2 3 4\n");
+    area("vt 0 0\nvt 1 0\nf 1/1 1/2 2/1\nf 1/1 2/1 3/1 4/1\n");
     // Colours of some vertices and a weight.
     let colors = "v 0 0 0 1 0 0\nv 1 0 0\nv 2 2 0 2\nv 0 1 0 1 1 0 0\nf 1 2 3 4";
     check("obj", colors.as_bytes(), "area(it)", Ok("1"));
@@ -306,6 +310,7 @@ fn mistakes_in_obj_are_told_with_their_line() {
     wrong("v 1 2 3 4 5\nf 1 2 3", "line 5: `v` has 5 numbers");
     wrong("v 1 2 nan\nf 1 2 5", "line 5: a coordinate must be a number, found `nan`");
     wrong("l 1 2 3\n", "the file holds no triangles");
+    wrong("f 1 1 2\n", "the file holds no triangles");
 }
 
 #[test]

@@ -106,6 +106,11 @@ impl LoadingScript<'_> {
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
+    /// Whether a place is in its text, and not in that of what it imports.
+    pub(super) fn holds(&self, span: Span) -> bool {
+        (self.base..=self.base + self.text.len() as u32).contains(&span.start)
+    }
+
     /// The line of a place, from 1.
     pub(super) fn line(&self, span: Span) -> usize {
         let start = (span.start.saturating_sub(self.base)) as usize;

@@ -191,6 +191,8 @@ pub struct Outcome {
     pub diagnostics: Vec<Diagnostic>,
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,
+    /// Whether nothing of the file itself lacks a value; of what it imports a part is enough.
+    pub is_whole: bool,
     /// The unit of length.
     pub unit: Unit,
     /// The tolerance.

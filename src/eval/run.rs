@@ -45,6 +45,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     };
     let tests = run.tests(&definitions);
     let unknown_settings = run.unknown_settings();
+    let is_whole = run.is_whole();
     let mut diagnostics = std::mem::take(&mut run.diagnostics);
     diagnostics.append(&mut run.machine.warnings);
     diagnostics.extend(library.take_findings());
@@ -57,6 +58,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
         tests,
         diagnostics,
         unknown_settings,
+        is_whole,
         unit,
         tolerance: program.tolerance,
         kept: KeptGlobals::new(kept),

@@ -4,7 +4,7 @@
 
 use super::{
     globals::Globals,
-    ir::{DefinitionRole, Program},
+    ir::{Definition, DefinitionRole, Program},
     load::load,
     machine::Machine,
     outcome::in_order,
@@ -13,7 +13,7 @@ use super::{
     worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Diagnostic, Sources},
+    diag::{Diagnostic, Severity, Sources},
     syntax::ast::Unit,
     value::{Dimension, Number, Value},
 };
@@ -132,6 +132,12 @@ pub fn parameters(name: &str, text: &str, sources: &mut Sources, settings: Setti
     diagnostics.append(&mut worker.diagnostics);
     diagnostics.append(&mut worker.machine.warnings);
     diagnostics.extend(loaded.library.take_findings());
+    // Mistakes of imported files that take no parameter away do not concern them.
+    let is_param = |definition: &&Definition| matches!(definition.role, DefinitionRole::Param(_));
+    if parameters.len() == program.definitions.iter().filter(is_param).count() {
+        let is_own = |found: &Diagnostic| loaded.document.holds(found.primary.span);
+        diagnostics.retain(|found| found.severity != Severity::Error || is_own(found));
+    }
     in_order(&mut diagnostics);
     Schema { parameters, unit: loaded.unit, diagnostics }
 }

@@ -12,14 +12,26 @@ pub(crate) struct JobGate(RwLock<()>);
 impl JobGate {
     /// What the script came to.
     pub(crate) fn run(&self, work: impl Fn() -> Report) -> Report {
+        self.told(work, || {}, |report| report)
+    }
+
+    /// What is told of what the script came to. While one runs alone no other report is there, and before it
+    /// whatever else is kept is given up by `make_room`.
+    pub(crate) fn told<R>(
+        &self,
+        work: impl Fn() -> Report,
+        make_room: impl FnOnce(),
+        tell: impl FnOnce(Report) -> R,
+    ) -> R {
         {
             let _beside = self.0.read().unwrap_or_else(PoisonError::into_inner);
             let report = work();
             if !report.is_out_of_memory() {
-                return report;
+                return tell(report);
             }
         }
         let _alone = self.0.write().unwrap_or_else(PoisonError::into_inner);
-        work()
+        make_room();
+        tell(work())
     }
 }

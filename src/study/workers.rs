@@ -95,14 +95,16 @@ pub fn in_order(
     let n_workers = evaluation.n_workers.max(1);
     let queue = VariantQueue::new(variants, MOST_AHEAD * n_workers as u64);
     let clocks: Vec<Clock> = (0..n_workers).map(|_| Clock::default()).collect();
+    let session = |clock: &Clock| (evaluation.session)(clock.stop.clone()).incremental();
+    let sessions: Vec<Session> = clocks.iter().map(session).collect();
     let is_over = AtomicBool::new(false);
-    let gate = JobGate::default();
+    let workers = Workers { sessions: &sessions, gate: JobGate::default() };
     thread::scope(|scope| {
         let (sender, results) = mpsc::channel();
         let mut n_started = 0;
-        for clock in &clocks {
-            let (sender, queue, gate) = (sender.clone(), &queue, &gate);
-            let serve = move || serve(evaluation, (clock, gate), queue, &sender);
+        for worker in clocks.iter().zip(&sessions) {
+            let (sender, queue, workers) = (sender.clone(), &queue, &workers);
+            let serve = move || serve(evaluation, (worker, workers), queue, &sender);
             let stack_bytes = stack::own_bytes();
             let serve = move || stack::known(stack_bytes, serve);
             let started = thread::Builder::new().stack_size(stack_bytes).spawn_scoped(scope, serve);
@@ -124,6 +126,22 @@ pub fn in_order(
         told
     })
 }
+
+/// What workers have to do with one another.
+struct Workers<'a> {
+    sessions: &'a [Session],
+    gate: JobGate,
+}
+
+impl Workers<'_> {
+    /// Forgets what all remember, so that the limit of memory is that of one variant.
+    fn make_room(&self) {
+        self.sessions.iter().for_each(Session::forget);
+    }
+}
+
+/// A worker's clock and session, among the others.
+type Worker<'a> = ((&'a Clock, &'a Session), &'a Workers<'a>);
 
 /// A row with its place, or what ends the study.
 type NumberedRow = (u64, Result<Row, String>);
@@ -149,13 +167,12 @@ fn deliver_rows(
 /// Evaluates one variant after the other.
 fn serve(
     evaluation: &Evaluation<'_>,
-    (clock, gate): (&Clock, &JobGate),
+    worker: Worker<'_>,
     queue: &VariantQueue<impl Iterator<Item = Result<Variant, String>>>,
     sender: &mpsc::Sender<NumberedRow>,
 ) {
-    let session = (evaluation.session)(clock.stop.clone()).incremental();
     while let Some((place, variant)) = queue.next() {
-        let row = variant.and_then(|variant| row(evaluation, &session, (clock, gate), &variant));
+        let row = variant.and_then(|variant| row(evaluation, worker, &variant));
         // What was stopped from outside has no row.
         let row = match row {
             _ if evaluation.stop.is_stopped() => return,
@@ -170,15 +187,14 @@ fn serve(
 
 fn row(
     evaluation: &Evaluation<'_>,
-    session: &Session,
-    (clock, gate): (&Clock, &JobGate),
+    ((clock, session), workers): Worker<'_>,
     variant: &Variant,
 ) -> Result<Row, String> {
     let mut settings = evaluation.settings.to_vec();
     settings.retain(|setting| variant.settings.iter().all(|varied| varied.name != setting.name));
     settings.extend(variant.settings.iter().cloned());
     let time = Mutex::new((Duration::ZERO, false, None));
-    let report = gate.run(|| {
+    let evaluate = || {
         clock.start(evaluation.time_limit);
         let begin = Instant::now();
         let report = session.run(evaluation.name, evaluation.bytes, evaluation.files, &settings);
@@ -190,19 +206,23 @@ fn row(
         let is_late = clock.end();
         *time.lock().unwrap_or_else(PoisonError::into_inner) = (took, is_late, picture);
         report
-    });
-    if !report.unknown_settings.is_empty() {
-        return Err(report.unknown_settings.join("\n"));
-    }
-    let (took, is_late, picture) = time.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let late = evaluation.time_limit.filter(|_| is_late);
-    let late = late.map(|limit| format!("it takes more than {} s", limit.as_secs_f64()));
-    let milliseconds = 1e3 * took.as_secs_f64();
-    let mut row = evaluation.maker.row(variant, &report, milliseconds, late.as_deref())?;
-    if let Some(picture) = picture {
-        row.insert(super::row::PICTURE.to_owned(), json!(picture?));
-    }
-    Ok(row)
+    };
+    let make_room = || workers.make_room();
+    workers.gate.told(evaluate, make_room, |report| {
+        if !report.unknown_settings.is_empty() {
+            return Err(report.unknown_settings.join("\n"));
+        }
+        let mut time = time.lock().unwrap_or_else(PoisonError::into_inner);
+        let (took, is_late, picture) = std::mem::take(&mut *time);
+        let late = evaluation.time_limit.filter(|_| is_late);
+        let late = late.map(|limit| format!("it takes more than {} s", limit.as_secs_f64()));
+        let milliseconds = 1e3 * took.as_secs_f64();
+        let mut row = evaluation.maker.row(variant, &report, milliseconds, late.as_deref())?;
+        if let Some(picture) = picture {
+            row.insert(super::row::PICTURE.to_owned(), json!(picture?));
+        }
+        Ok(row)
+    })
 }
 
 /// Draws a variant; the name of the picture, or nothing where there is nothing to draw.

@@ -198,6 +198,15 @@ fn parameters_of_a_wrong_script_are_not_told() {
         assert_eq!((out.as_str(), ending), ("", 2), "{script}");
         assert!(err.contains(code), "{script}: {err}");
     }
+    scratch.file("part.geo", "let good = 2mm\nlet bad = nobody\n");
+    let asked = |script: &str| piped(&scratch, &["params", "-"], script);
+    let (out, err, ending) = asked("import \"part.geo\"\nparam a = part.bad\nparam b = 1\n");
+    assert_eq!((out.as_str(), ending), ("", 2));
+    assert!(err.contains("E0201"), "{err}");
+    // What fails elsewhere in an imported file takes nothing away.
+    let (out, err, ending) = asked("import \"part.geo\"\nparam a = part.good in 1mm..3mm\n");
+    assert_eq!((err.as_str(), ending), ("", 0));
+    assert!(out.contains("2mm") && out.contains("1mm..3mm"), "{out}");
     assert_eq!(run(&scratch, &["params", "missing.geo"]).2, 3);
     assert_eq!(run(&scratch, &["graph", "missing.geo"]).2, 3);
 }

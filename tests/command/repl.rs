@@ -27,6 +27,26 @@ fn piped(scratch: &Scratch, args: &[&str], input: impl Into<Vec<u8>>) -> (String
     told(&output)
 }
 
+/// What did not fail in an imported file can be used, as by `run`; the mistake is told once, and again where
+/// something wants what it took away.
+#[test]
+fn the_rest_of_an_imported_file_can_be_used() {
+    let scratch = Scratch::new("repl-import");
+    scratch.file("part.geo", "let good = 2\nlet bad = nobody\n");
+    scratch.file("garbled.geo", "let a = 1\nlet b = )\n");
+    let input = "import \"part.geo\"\nlet a = part.good + 1\na * 10\n";
+    let (out, err, code) = piped(&scratch, &[], input);
+    assert_eq!(out, "a = 3\n30\n", "{err}");
+    assert_eq!((err.matches("E0201").count(), code), (1, 2), "{err}");
+    for refused in ["part.bad", "let b = part.bad", "print 1, part.bad", "let b = part"] {
+        let input = format!("import \"part.geo\"\n{refused}\npart.good\n");
+        let (out, err, _) = piped(&scratch, &[], input);
+        assert_eq!((out.as_str(), err.matches("E0201").count()), ("2\n", 2), "{refused}: {err}");
+    }
+    let (out, err, _) = piped(&scratch, &[], "import \"garbled.geo\"\n:list\n");
+    assert!(out.is_empty() && err.contains("garbled.geo:2"), "{out}{err}");
+}
+
 #[test]
 fn entries_from_a_pipe_are_answered_without_a_prompt() {
     let scratch = Scratch::new("repl-pipe");

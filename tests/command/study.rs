@@ -115,7 +115,6 @@ fn the_number_of_workers_changes_nothing() {
     assert_eq!(found[0].lines().count(), 301);
 }
 
-/// What is called as a column of every study has a column of its own, and margins have their unit.
 #[test]
 fn memory_that_earlier_variants_left_does_not_count() {
     let scratch = Scratch::new("study-memory");
@@ -129,6 +128,7 @@ fn memory_that_earlier_variants_left_does_not_count() {
     assert_eq!((out.as_str(), err.as_str(), code), ("wrote r.csv: 3 rows\n", "", 0));
 }
 
+/// What is called as a column of every study has a column of its own, and margins have their unit.
 #[test]
 fn names_and_margins_are_told_apart() {
     let scratch = Scratch::new("study-names");
@@ -157,6 +157,20 @@ margin 5: tilt ~= 15deg within 1deg [deg],check 6: id < 4,margin 6: id < 4,code,
         let (_, err, code) = told(&virote(&scratch.0).args(args).output().expect("a run"));
         assert!(code == 3 && err.contains(told_of), "{err}");
     }
+}
+
+/// One variant has room below the limit, and two have not.
+#[test]
+fn memory_that_other_workers_keep_does_not_count() {
+    let scratch = Scratch::new("study-memory-beside");
+    scratch.file(
+        "a.geo",
+        "param n = 1\nlet big = [for i in 0..<600_000: [i * n]]\nlet n_big = len(big)\n",
+    );
+    let limit = ["--limit", "memory=110000000", "--threads", "4"];
+    let args = [&["--vary", "n=1..6:6", "-o", "r.csv"][..], &limit].concat();
+    let (out, err, code) = study(&scratch, &args);
+    assert_eq!((out.as_str(), err.as_str(), code), ("wrote r.csv: 6 rows\n", "", 0));
 }
 
 /// What stands behind it would be one cell with it.

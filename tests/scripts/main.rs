@@ -26,3 +26,4 @@ mod registry;
 mod support;
 mod syntax;
 mod tidy;
+mod unmeasurable;

@@ -39,6 +39,8 @@ pub(super) struct EngineRun {
     pub(super) report: Report,
     /// The first place of the input.
     pub(super) start: u32,
+    /// The place behind it; what lies further on is imported.
+    pub(super) end: u32,
     /// How long it took.
     pub(super) time: Duration,
 }
@@ -93,6 +95,7 @@ impl Engine {
         names: [&str; 2],
     ) -> Option<EngineRun> {
         let text = format!("{base}{gap}{input}");
+        let end = text.len() as u32;
         let (session, files) = (Arc::clone(&self.session), Arc::clone(&self.files));
         let settings = Arc::clone(&self.settings);
         let (sender, receiver) = mpsc::channel();
@@ -107,7 +110,8 @@ impl Engine {
         let mut report = self.wait(&receiver)?;
         let time = begin.elapsed();
         report.sources = told_apart(&report.sources, base.len(), names);
-        Some(EngineRun { report, start: base.len() as u32 + gap.len_utf8() as u32, time })
+        let start = base.len() as u32 + gap.len_utf8() as u32;
+        Some(EngineRun { report, start, end, time })
     }
 
     /// Waits for the end of a run, or for Ctrl-C.

@@ -130,7 +130,8 @@ impl Prompt {
     }
 
     /// Evaluates a text behind the document. Nothing comes of it when there are errors, which are
-    /// told, or when it was stopped.
+    /// told, or when it was stopped. Errors in imported files that take nothing from the document are told
+    /// as warnings are, once.
     pub(super) fn evaluate(
         &mut self,
         base: &str,
@@ -142,7 +143,10 @@ impl Prompt {
             self.voice.remark("stopped; the document is as it was");
             return None;
         };
-        if ran.report.count(Severity::Error) > 0 {
+        let is_error = |found: &Diagnostic| found.severity == Severity::Error;
+        let is_imported = |found: &Diagnostic| ran.end < found.primary.span.start;
+        let mut errors = ran.report.diagnostics.iter().filter(|found| is_error(found));
+        if !(ran.report.is_whole && errors.clone().all(is_imported)) && errors.next().is_some() {
             ran.report.diagnostics.retain(|found| found.severity == Severity::Error);
             self.voice.findings(&ran.report.diagnostics, &ran.report.sources);
             self.worst = self.worst.max(ExitStatus::Wrong);
@@ -156,9 +160,13 @@ impl Prompt {
         if gap == '\n' {
             self.told = new.iter().chain(&old).map(told).collect();
         }
-        let is_warning = |found: &Diagnostic| found.severity == Severity::Warning;
-        let (warnings, others): (Vec<_>, Vec<_>) = new.into_iter().partition(is_warning);
+        let is_told =
+            |found: &Diagnostic| matches!(found.severity, Severity::Warning | Severity::Error);
+        let (warnings, others): (Vec<_>, Vec<_>) = new.into_iter().partition(is_told);
         self.voice.findings(&warnings, &ran.report.sources);
+        if warnings.iter().any(is_error) {
+            self.worst = self.worst.max(ExitStatus::Wrong);
+        }
         ran.report.diagnostics = others;
         self.unit = ran.report.document.0;
         Some(ran)
@@ -175,7 +183,7 @@ impl Prompt {
             self.told = told;
             return;
         };
-        let EngineRun { mut report, start, time } = ran;
+        let EngineRun { mut report, start, time, .. } = ran;
         let is_new = |span: crate::diag::Span| span.start >= start;
         let (mut news, mut again) = (Vec::new(), Vec::new());
         for defined in &report.definitions {

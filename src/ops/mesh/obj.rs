@@ -3,10 +3,11 @@
 use glam::{DVec2, DVec3};
 
 use super::{
-    obj_lines::{ObjLines, whole_lines},
+    obj_lines::{FacesWithoutArea, ObjLines, whole_lines},
     written_unit::compare_units,
 };
 use crate::{
+    diag::{Code, Diagnostic},
     kernel::{GeomError, Mesh, split_polygon},
     limits::work,
     value::{Ctx, ENDED, IntoValue, Value},
@@ -19,7 +20,8 @@ pub(super) fn read(text: &str, ctx: &mut Ctx<'_>) -> Result<Value, String> {
         None => error,
     };
     let mut meshes = Vec::new();
-    for model in models(text, &told)? {
+    let (models, without_area) = models(text, &told)?;
+    for model in models {
         let name = model.name;
         let mesh = mesh(model.mesh).ok_or(ENDED)?;
         meshes.push(mesh.map_err(|err| told(format!("{name}: {err}")))?);
@@ -34,16 +36,23 @@ pub(super) fn read(text: &str, ctx: &mut Ctx<'_>) -> Result<Value, String> {
     if merged.triangles().is_empty() {
         return Err("the file holds no triangles".to_owned());
     }
+    if let Some(told) = without_area.message() {
+        ctx.warn(Diagnostic::warning(Code::Unclean, ctx.span, told));
+    }
     // As an export says it, above everything else.
     let unit = text.lines().next().and_then(|line| line.strip_prefix("# unit:"));
     if let Some(unit) = unit {
-        compare_units(unit.trim(), ctx);
+        compare_units(unit, ctx);
     }
     Ok(merged.into_value())
 }
 
-/// The objects of a file as the library makes them; `told` finds the line of its mistakes.
-fn models(text: &str, told: &dyn Fn(String) -> String) -> Result<Vec<tobj::Model>, String> {
+/// The objects of a file as the library makes them, and the faces that have none; `told` finds the line of its
+/// mistakes.
+fn models(
+    text: &str,
+    told: &dyn Fn(String) -> String,
+) -> Result<(Vec<tobj::Model>, FacesWithoutArea), String> {
     let options = tobj::LoadOptions {
         triangulate: false,
         ignore_points: true,
@@ -53,7 +62,7 @@ fn models(text: &str, told: &dyn Fn(String) -> String) -> Result<Vec<tobj::Model
     let mut lines = ObjLines::new(whole_lines(text));
     // Materials are of no interest here.
     match tobj::load_obj_buf(&mut lines, &options, |_| Ok(Default::default())) {
-        Ok((models, _)) => Ok(models),
+        Ok((models, _)) => Ok((models, lines.without_area)),
         Err(err) => Err(lines.mistake.unwrap_or_else(|| told(err.to_string()))),
     }
 }
@@ -80,7 +89,7 @@ fn mesh(mesh: tobj::Mesh) -> Option<Result<Mesh, GeomError>> {
 }
 
 /// The triangles of polygons, and how many each has; one that cannot be split as it is becomes the
-/// triangles from its first corner. None when the work was ended.
+/// triangles from its first corner, of these the ones that have three. None when the work was ended.
 fn polygons(vertices: &[DVec3], mesh: &tobj::Mesh) -> Option<(Vec<[u32; 3]>, Vec<u32>)> {
     let (mut triangles, mut sizes) = (Vec::new(), Vec::new());
     let mut left = &mesh.indices[..];
@@ -94,7 +103,7 @@ fn polygons(vertices: &[DVec3], mesh: &tobj::Mesh) -> Option<(Vec<[u32; 3]>, Vec
         if !work::goes_on(1 + u64::from(n_corners)) {
             return None;
         }
-        let is_plain = all_differ(corners);
+        let (is_plain, n_before) = (all_differ(corners), triangles.len());
         match is_plain.then(|| split_polygon(vertices, corners)) {
             Some(Ok(split)) => {
                 sizes.push(split.len() as u32);
@@ -102,8 +111,9 @@ fn polygons(vertices: &[DVec3], mesh: &tobj::Mesh) -> Option<(Vec<[u32; 3]>, Vec
             }
             _ => {
                 let sides = corners[1..].windows(2);
-                triangles.extend(sides.map(|side| [corners[0], side[0], side[1]]));
-                sizes.resize(sizes.len() + corners.len() - 2, 1);
+                let fan = sides.map(|side| [corners[0], side[0], side[1]]);
+                triangles.extend(fan.filter(|triangle| all_differ(triangle)));
+                sizes.resize(triangles.len() - n_before + sizes.len(), 1);
             }
         }
     }

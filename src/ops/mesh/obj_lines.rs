@@ -2,7 +2,8 @@
 //!
 //! The file's lines end in any way and may go on after a `\`. The library gets those alone that make
 //! triangles, one after another; it takes a polyline for a polygon otherwise, and colours that only some
-//! vertices have for a mistake. On the way each corner is looked at and what is made of it is counted.
+//! vertices have for a mistake. On the way each corner is looked at and what is made of it is counted. A
+//! corner that stands twice is one, and a face that has no area, whatever the places of its vertices, is left out.
 
 use std::{
     borrow::Cow,
@@ -40,6 +41,35 @@ pub(super) fn whole_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, st
     })
 }
 
+/// Faces that name too few vertices to have an area: where the first stands, and how many there are.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct FacesWithoutArea {
+    line: usize,
+    n_faces: usize,
+}
+
+impl FacesWithoutArea {
+    fn add(&mut self, line: usize) {
+        if self.n_faces == 0 {
+            self.line = line;
+        }
+        self.n_faces += 1;
+    }
+
+    /// What is to be said of them, if there are any.
+    pub(super) fn message(&self) -> Option<String> {
+        let more = match self.n_faces {
+            0 => return None,
+            1 => String::new(),
+            n => format!(", and {} more with it", n - 1),
+        };
+        let line = self.line;
+        Some(format!(
+            "line {line}: the face names a vertex twice and has no area; it is left out{more}"
+        ))
+    }
+}
+
 /// What the library reads.
 pub(super) struct ObjLines<I> {
     lines: I,
@@ -51,6 +81,8 @@ pub(super) struct ObjLines<I> {
     /// Corners since the last group, and whether they name more than their vertex.
     n_corners: usize,
     has_parts: bool,
+    /// Faces that were left out.
+    pub(super) without_area: FacesWithoutArea,
     /// What is wrong with the line that was read last.
     pub(super) mistake: Option<String>,
 }
@@ -64,6 +96,7 @@ impl<'t, I: Iterator<Item = (usize, Cow<'t, str>)>> ObjLines<I> {
             n_before: [0; 3],
             n_corners: 0,
             has_parts: false,
+            without_area: FacesWithoutArea::default(),
             mistake: None,
         }
     }
@@ -109,6 +142,11 @@ impl<'t, I: Iterator<Item = (usize, Cow<'t, str>)>> ObjLines<I> {
                     if let Some(what) = wrong {
                         return Err(told(what));
                     }
+                    let words = apart(words, self.n_before[0]);
+                    if !has_area(&words, self.n_before[0]) {
+                        self.without_area.add(number);
+                        continue;
+                    }
                     self.n_corners += words.len();
                     self.has_parts |= words[0].contains('/');
                     self.keep([keyword].into_iter().chain(words));
@@ -138,6 +176,37 @@ impl<'t, I: Iterator<Item = (usize, Cow<'t, str>)>> ObjLines<I> {
         (self.n_corners, self.has_parts) = (0, false);
         if work::has_room(n_bytes) { Ok(()) } else { Err(ENDED.to_owned()) }
     }
+}
+
+/// The number of the vertex of a corner, when so many came before.
+fn vertex(corner: &str, n_before: i64) -> Option<i64> {
+    let number: i64 = corner.split('/').next()?.parse().ok()?;
+    Some(if number < 0 { n_before + 1 + number } else { number })
+}
+
+/// Corners without those that name the vertex of the one before them, around the face.
+fn apart(mut corners: Vec<&str>, n_before: i64) -> Vec<&str> {
+    corners.dedup_by_key(|corner| vertex(corner, n_before));
+    let ends = [corners.first(), corners.last()].map(|end| vertex(end?, n_before));
+    if 1 < corners.len() && ends[0] == ends[1] {
+        corners.pop();
+    }
+    corners
+}
+
+/// Whether something is left of a face without its ways there and back.
+fn has_area(corners: &[&str], n_before: i64) -> bool {
+    let mut left: Vec<Option<i64>> = Vec::with_capacity(corners.len());
+    for corner in corners {
+        let next = vertex(corner, n_before);
+        match left.len().checked_sub(2) {
+            Some(before) if left[before] == next => {
+                left.pop();
+            }
+            _ => left.push(next),
+        }
+    }
+    2 < left.len()
 }
 
 /// What is wrong with a corner such as `7/1/-3` when so many vertices, texture coordinates and normals

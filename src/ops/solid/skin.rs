@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, SkinBuilder, Solid},
+    kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, Solid},
     ops::surface::{
-        section::{SectionPlaces, SectionShape, warn_of_crossings, warn_of_lost_corners},
-        skin::{SkinSpans, refused, warn_of_weights},
-        sweep::tolerated,
+        section::{SectionPairing, SectionPlaces, SectionShape, SectionTangent},
+        skin_options::SkinOptions,
     },
     value::{At, Ctx, Length, op},
 };
@@ -24,6 +23,10 @@ op! {
         sections: Spanned<Vec<Arc<Region>>>,
         /// The degree along v, from 1; fewer regions than degree + 1 lower it.
         degree: Spanned<usize> = Spanned::unplaced(3),
+        /// A curve whose tangents the sides take at the regions; degree 2 or 3.
+        spine: Option<Spanned<Curve>>,
+        /// The parameters of the spine at the regions.
+        at: Option<Spanned<Vec<f64>>>,
         /// Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for
         /// its return to the first region.
         parameters: Spanned<SectionPlaces> = Spanned::unplaced(SectionPlaces::By(SectionParameters::Places)),
@@ -31,13 +34,21 @@ op! {
         closed: bool = false,
         /// Whether borders are turned around, and seams moved, to run beside their neighbours.
         align: bool = true,
+        /// The derivative by v along the borders of the first region: a vector, or a curve of vectors.
+        start_tangent: Option<Spanned<SectionTangent>>,
+        /// The derivative by v along those of the last region.
+        end_tangent: Option<Spanned<SectionTangent>>,
         /// Whether the sides may swing out between regions.
         shape: Spanned<SectionShape> = Spanned::unplaced(SectionShape::Free),
+        /// Whether points of equal parameter or of equal fraction of the length belong together;
+        /// by "length", borders of uneven speed become cubic splines within the tolerance.
+        pairing: SectionPairing = SectionPairing::Parameter,
         /// How far borders may move so that the sides have fewer knots along them.
         tolerance: Option<Spanned<Length>>,
     }
     example "volume(skin([region(circle((0, 0, 0), 2)), region(circle((0, 0, 3), 1))])) ~= 7*pi" => "true";
     example "len(skin([for z in 0..2: region(circle((0, 0, z), 2), holes = [circle((0, 0, z), 1)])]).faces)" => "4";
+    example "volume(skin([region(circle((0, 0, 0), 2)), region(circle((0, 0, 3), 1))], start_tangent = (0, 0, 3), end_tangent = (0, 0, 3))) ~= 249/35*pi" => "true";
     refuses "skin([region(circle((0, 0), 2))])" => "E0401: a skin needs 2 sections or more, found 1";
     refuses "skin([region(circle((0, 0), 2)), region(circle((0, 0, 1), 2), holes = [circle((0, 0, 1), 1)])])" => "E0607: `sections[1]` has 1 hole, and the first region has 0";
     scene r#"
@@ -49,16 +60,20 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
     let span = args.sections.span;
-    let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
-    let spans = SkinSpans {
-        sections: span,
-        parameters: args.parameters.span,
-        spine: span,
-        at: span,
-        slopes: [span; 2],
-        has_slopes: false,
+    let options = SkinOptions {
+        degree: args.degree,
+        spine: args.spine,
+        at: args.at,
+        parameters: args.parameters,
         is_closed: args.closed,
+        is_aligned: args.align,
+        start_tangent: args.start_tangent,
+        end_tangent: args.end_tangent,
+        shape: args.shape,
+        pairing: args.pairing,
+        tolerance: args.tolerance,
     };
+    options.check()?;
     let regions = &args.sections.value;
     let borders = regions.iter().map(|region| region.borders());
     let borders: Vec<Vec<NurbsCurve>> = borders.collect::<std::result::Result<_, _>>().at(span)?;
@@ -76,28 +91,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
     let mut sides = Vec::with_capacity(n_loops);
     for i in 0..n_loops {
         let sections: Vec<Curve> = borders.iter().map(|all| all[i].clone().into()).collect();
-        let mut builder = SkinBuilder::new(sections, ctx.tolerance).degree(args.degree.value);
-        if args.closed {
-            builder = builder.closed();
-        }
-        if !args.align {
-            builder = builder.unaligned();
-        }
-        builder = match &args.parameters.value {
-            SectionPlaces::By(rule) => builder.parameters(*rule),
-            SectionPlaces::Listed(parameters) => builder.parameters_at(parameters.clone()),
-        };
-        if args.shape.value == SectionShape::Monotone {
-            builder = builder.monotone();
-        }
-        if args.tolerance.is_some() {
-            builder = builder.within(tolerance);
-        }
-        let made = builder.skin().map_err(|found| refused(ctx, found, &spans))?;
-        warn_of_lost_corners(ctx, &made.unpaired, span);
-        warn_of_weights(ctx, &made, tolerance);
-        warn_of_crossings(ctx, &made.sections, span, tolerance);
-        sides.push(Face::whole(Arc::new(made.surface), ctx.tolerance).at(span)?);
+        let side = options.surface(ctx, sections, span)?;
+        sides.push(Face::whole(Arc::new(side), ctx.tolerance).at(span)?);
     }
     Solid::capped(&sides, ctx.tolerance).at(ctx.span)
 }

@@ -6,11 +6,10 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Curve, Face, NurbsCurve, Region, Solid, SweepBuilder, Tolerance},
+    kernel::{Curve, Face, Region, Solid, Tolerance},
     ops::surface::{
-        motion::{MotionArgs, Scale, Twist},
-        sweep::{CornerOption, FrameOption, SweepGiven, framing, refused, tolerated},
-        swept::warn,
+        motion::{Rails, Scale, Twist},
+        sweep_options::{CornerOption, FrameOption, SweepMethod, SweepOptions},
     },
     value::{At, Ctx, Length, op, shortest},
 };
@@ -36,13 +35,24 @@ op! {
         twist: Option<Spanned<Twist>>,
         /// Where z points at the start; (0, 0, 1), or (1, 0, 0) where the path starts along it.
         up: Option<Spanned<DVec3>>,
+        /// A curve that z points to, at the same fraction of its domain.
+        rail: Option<Spanned<Curve>>,
         /// What happens at corners of the path: an error, or both sides meet in the plane that halves the angle.
         corner: CornerOption = CornerOption::Error,
+        /// Whether the path itself is met exactly.
+        keep_path: bool = true,
+        /// How many placements of the region make the sides, instead of a tolerance; with `keep_path` no fewer than
+        /// the path has control points, without it at even parameters.
+        sections: Option<Spanned<usize>>,
+        /// What the sides are made of: they pass through "placements" of the borders; or "offsets" of the path's control
+        /// points by those of the borders, which take more columns and never swing out.
+        method: Spanned<SweepMethod> = Spanned::unplaced(SweepMethod::Placements),
         /// How far the sides may be from the true ones; the document's tolerance.
         tolerance: Option<Spanned<Length>>,
     }
     example "volume(sweep(region(circle((0, 0), 1, normal = (1, 0, 0))), line((0, 0), (5, 0)))) ~= 5*pi" => "true";
     example "volume(sweep(region(circle((0, 0), 1, normal = (1, 0, 0)), holes = [circle((0, 0), 0.5, normal = (1, 0, 0))]), circle((0, 0), 4))) ~= 6*pi^2 within 1e-4" => "true";
+    example "volume(sweep(region(polyline((0, -1, -1), (0, 1, -1), (0, 1, 1), (0, -1, 1), closed = true)), line((0, 0), (5, 0)), rail = line((0, 0, 2), (5, 2, 0)))) ~= 20 within 1e-4" => "true";
     refuses "sweep(region(circle((0, 0), 1)), line((0, 0), (5, 0)))" => "E0607: the region lies in another plane than x = 0, which is across the path: it leaves it by 1";
     scene r#"
         region r = region(circle((0, 0), 1, normal = (1, 0, 0)), holes = [circle((0, 0), 0.7, normal = (1, 0, 0))])
@@ -51,57 +61,26 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
-    let tolerance = tolerated(ctx, args.tolerance.as_ref())?;
     let span = args.r.span;
     let borders = args.r.value.borders().at(span)?;
     check_plane(&args.r.value, ctx.tolerance, span)?;
-    let rule = framing(args.frame.value);
-    let domain = args.path.value.domain();
-    let kinks = args.scale.as_ref().map_or(Vec::new(), |scale| scale.value.breaks(domain));
-    let is_moved = args.scale.is_some() || args.twist.is_some();
-    if let (None, true) = (rule, is_moved) {
-        let message = "\"translate\" takes no `scale` and no `twist`";
-        return Diagnostic::error(Code::BadCall, args.frame.span, message).fail();
-    }
-    let given = |border: NurbsCurve| SweepGiven {
-        section: Spanned::new(border.into(), span),
-        path: args.path.span,
-        up: args.up.as_ref().map_or(args.path.span, |up| up.span),
-        rails: args.path.span,
-        rule,
-        tolerance,
+    let options = SweepOptions {
+        path: args.path,
+        frame: args.frame.value,
+        scale: args.scale,
+        twist: args.twist,
+        up: args.up,
+        rail: args.rail.map(|rail| Spanned::new(Rails::One(rail.value), rail.span)),
+        corner: args.corner,
+        keeps_path: args.keep_path,
+        sections: args.sections,
+        method: args.method,
+        tolerance: args.tolerance,
     };
     let mut sides = Vec::with_capacity(borders.len());
     for border in borders {
-        let given = given(border);
-        let mut motion = MotionArgs {
-            scale: args.scale.as_ref().map(|given| given.value.clone()),
-            twist: args.twist.as_ref().map(|given| given.value.clone()),
-            ctx: &mut *ctx,
-            domain,
-        };
-        let (section, path) = (given.section.value.clone(), args.path.value.clone());
-        let document = motion.ctx.tolerance;
-        let mut builder = SweepBuilder::new(section, path, document).within(tolerance);
-        builder = match rule {
-            Some(rule) => builder.frames(rule),
-            None => builder.translated(),
-        };
-        if let Some(up) = &args.up {
-            builder = builder.up(up.value);
-        }
-        if args.corner == CornerOption::Miter {
-            builder = builder.with_mitres();
-        }
-        if is_moved {
-            builder = builder.moved(&mut motion, kinks.clone());
-        }
-        let made = match builder.sweep() {
-            Ok(made) => made,
-            Err(found) => return Err(refused(ctx, found, &given)),
-        };
-        warn(ctx, &made);
-        sides.push(Face::whole(Arc::new(made.surface), ctx.tolerance).at(span)?);
+        let side = options.surface(ctx, &Spanned::new(border.into(), span))?;
+        sides.push(Face::whole(Arc::new(side), ctx.tolerance).at(span)?);
     }
     Solid::capped(&sides, ctx.tolerance).at(ctx.span)
 }

@@ -1,6 +1,6 @@
 //! `gordon`: the surface through a network of curves.
 
-use super::{network::NetworkPlaces, sweep::tolerated};
+use super::{network::NetworkPlaces, sweep_options::tolerated};
 use crate::{
     diag::{Result, Spanned},
     kernel::{Curve, NetworkBuilder, NurbsSurface},

@@ -29,7 +29,7 @@ impl Scale {
     }
 
     /// Parameters where the list bends.
-    pub(in crate::ops) fn breaks(&self, domain: Interval) -> Vec<f64> {
+    pub(super) fn breaks(&self, domain: Interval) -> Vec<f64> {
         let Self::Listed(list) = self else { return Vec::new() };
         let steps = domain.steps(list.len() - 1);
         steps[1..steps.len() - 1].to_vec()
@@ -84,12 +84,12 @@ impl FromValue for Twist {
 }
 
 /// What a script says of a section on its way.
-pub(in crate::ops) struct MotionArgs<'c, 'a> {
-    pub(in crate::ops) ctx: &'c mut Ctx<'a>,
-    pub(in crate::ops) scale: Option<Scale>,
-    pub(in crate::ops) twist: Option<Twist>,
+pub(super) struct MotionArgs<'c, 'a> {
+    pub(super) ctx: &'c mut Ctx<'a>,
+    pub(super) scale: Option<Scale>,
+    pub(super) twist: Option<Twist>,
     /// The path's.
-    pub(in crate::ops) domain: Interval,
+    pub(super) domain: Interval,
 }
 
 impl MotionArgs<'_, '_> {
@@ -142,7 +142,7 @@ impl Motion for MotionArgs<'_, '_> {
 
 /// What a section is turned by.
 #[derive(Clone, Debug)]
-pub(super) enum Rails {
+pub(in crate::ops) enum Rails {
     /// z points to it.
     One(Curve),
     /// Both ends of the section run along them.

@@ -40,7 +40,7 @@ impl SkinSection {
 }
 
 /// Warns of neighbours with different numbers of corners: an edge of the surface ends between them.
-pub(in crate::ops) fn warn_of_lost_corners(
+pub(super) fn warn_of_lost_corners(
     ctx: &mut Ctx<'_>,
     unpaired: &[[(usize, usize); 2]],
     span: Span,
@@ -97,17 +97,17 @@ impl IntoValue for SectionPlaces {
 
 /// A derivative along a section.
 #[derive(Clone, Debug)]
-pub(super) enum SectionTangent {
+pub(in crate::ops) enum SectionTangent {
     Vector(DVec3),
     Curve(Arc<NurbsCurve>),
 }
 
 impl SectionTangent {
     /// What it is to a skin.
-    pub(super) fn slope(self) -> SectionSlope {
+    pub(super) fn slope(&self) -> SectionSlope {
         match self {
-            Self::Vector(vector) => SectionSlope::Vector(vector),
-            Self::Curve(curve) => SectionSlope::Curve(curve),
+            Self::Vector(vector) => SectionSlope::Vector(*vector),
+            Self::Curve(curve) => SectionSlope::Curve(Arc::clone(curve)),
         }
     }
 }
@@ -138,7 +138,7 @@ impl Choice for SectionShape {
 
 /// Which points of two sections belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum SectionPairing {
+pub(in crate::ops) enum SectionPairing {
     Parameter,
     Length,
 }
@@ -149,7 +149,7 @@ impl Choice for SectionPairing {
 }
 
 /// Warns of neighbouring sections that cross.
-pub(in crate::ops) fn warn_of_crossings(
+pub(super) fn warn_of_crossings(
     ctx: &mut Ctx<'_>,
     sections: &[NurbsCurve],
     span: Span,

@@ -3,11 +3,11 @@
 use crate::{
     diag::{Code, Diagnostic},
     kernel::{SweptLeg, SweptSurface},
-    value::{Ctx, shortest},
+    value::{Ctx, rounded, shortest},
 };
 
 /// Warns of what a sweep cannot promise.
-pub(in crate::ops) fn warn(ctx: &mut Ctx<'_>, made: &SweptSurface) {
+pub(super) fn warn(ctx: &mut Ctx<'_>, made: &SweptSurface) {
     for leg in &made.legs {
         warn_of_leg(ctx, leg);
     }
@@ -19,7 +19,7 @@ fn warn_of_leg(ctx: &mut Ctx<'_>, leg: &SweptLeg) {
     if let Some([before, behind]) = leg.flips.first() {
         let message = format!(
             "the frame turns at once near parameter {} of the path",
-            shortest(0.5 * (before + behind))
+            rounded(0.5 * (before + behind))
         );
         let hint = "`frame = \"rotation_minimizing\"` does not";
         ctx.warn(Diagnostic::warning(Code::FrameFlip, ctx.span, message).hint(hint));
@@ -32,8 +32,8 @@ fn warn_of_leg(ctx: &mut Ctx<'_>, leg: &SweptLeg) {
         };
         let message = format!(
             "between the parameters {} and {} of the path{more} the section reaches beyond the centre of curvature, so that the surface crosses itself",
-            shortest(*from),
-            shortest(*to)
+            rounded(*from),
+            rounded(*to)
         );
         let hint = "a smaller section, or a path that bends less, does not";
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
@@ -41,7 +41,7 @@ fn warn_of_leg(ctx: &mut Ctx<'_>, leg: &SweptLeg) {
     if let Some(&t) = leg.collapses.first() {
         let message = format!(
             "at parameter {} of the path the section shrinks to a line or a point",
-            shortest(t)
+            rounded(t)
         );
         let hint = "a `scale` that stays above zero between the ends keeps the surface regular";
         ctx.warn(Diagnostic::warning(Code::SelfIntersecting, ctx.span, message).hint(hint));
@@ -56,8 +56,8 @@ fn warn_of_short_legs(ctx: &mut Ctx<'_>, legs: &[(f64, [f64; 2])]) {
         }
         let message = format!(
             "between the parameters {} and {} the path is {} times too short for the mitres at its ends, so that the surface crosses itself",
-            shortest(from),
-            shortest(to),
+            rounded(from),
+            rounded(to),
             shortest((100.0 * over).round() / 100.0)
         );
         let hint = "a smaller section, or corners further apart";
