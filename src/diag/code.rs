@@ -160,6 +160,8 @@ codes! {
         "Within the document's tolerance things are one: a strip that is narrower is neither there nor gone, and borders that run so close to one another have no certain order. Let them coincide exactly (the same points, the same curve), or keep them apart by more; or state a smaller `tolerance` at the top of the script."
     NoRoom "E0616" "no room for a fillet"
         "A corner is rounded by an arc that touches both of its sides, so that the sides must be long enough for the radius, and not bend more. The message tells the corner, and up to which radius there is room."
+    BeyondCentre "E0617" "an offset beyond a centre of curvature"
+        "A surface that bends has centres of curvature on the side that it bends to. A face beside it at that distance comes together there, and beyond it turns back. The message tells how far the nearest is, and where. Take a smaller distance, or the other side."
     Unproven "E0619" "a result that could not be proven"
         "What bodies have together and apart adds up to the bodies themselves. Each result is checked so before it is given; this one failed, so that it is not given. That is a fault of the program and not of the script: please report it. Moving one of the bodies a little may help."
 

@@ -167,7 +167,7 @@ pub use construction_report::{ConstructionReport, ReportEntry};
 pub use curve::{
     AnalyticCurve, CircleForm, ClosestPoint, ConicKind, Continuity, Curve, CurveEvaluator,
     CurveFunction, CurveIntersection, CurvePointKind, EvaluationPlace, LocalGeometry, NurbsCurve,
-    Offset, ParametricCurve, join, make_compatible,
+    Offset, ParametricCurve, TangentArc, TangentEnd, TangentLine, join, make_compatible,
 };
 pub use deviation_reference::{Deviation, DeviationReference};
 pub use error::{
@@ -222,8 +222,8 @@ pub use skin::{
     with_seam_at_corner,
 };
 pub use solid::{
-    CurveSolidIntersection, Solid, SolidBody, SolidClosestPoint, SolidContents, SolidEdge,
-    SolidError, SolidTopology,
+    CurveSolidIntersection, EdgeAngles, Solid, SolidBody, SolidClosestPoint, SolidContents,
+    SolidEdge, SolidError, SolidTopology,
 };
 pub use surface::{
     AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
@@ -241,8 +241,9 @@ pub use sweep::{
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
 pub use trim::{
-    AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceEdge, FaceError, FacePart,
-    SurfaceCurve, SurfaceCurveKind, SurfacePiece, pieces_facing_unlike, tessellate_together,
+    AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceContinuity, FaceEdge, FaceError,
+    FacePart, SurfaceCurve, SurfaceCurveKind, SurfacePiece, pieces_facing_unlike,
+    tessellate_together,
 };
 pub use varied::{
     PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion, VariedSolid, VariedSurface,

@@ -62,6 +62,7 @@ mod some;
 mod strips;
 mod surface;
 mod sweep;
+mod tangents;
 mod tensor;
 mod tessellation;
 mod trajectory;

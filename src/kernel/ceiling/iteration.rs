@@ -204,3 +204,6 @@ pub(crate) const SEAM_JUMPS: usize = 3;
 
 /// Steps onto a knot of the surface.
 pub(crate) const KNOT_STEPS: usize = 40;
+
+/// Halvings of a piece of a curve beside a place where it stands still, where it has no tangent to look at.
+pub(crate) const DUAL_HALVINGS: usize = 20;

@@ -25,6 +25,7 @@ pub use construction::circle::CircleForm;
 pub use construction::conic::ConicKind;
 pub(crate) use construction::hermite::blossom_weights;
 pub use construction::offset::Offset;
+pub use construction::tangent::{TangentArc, TangentEnd, TangentLine};
 pub use editing::compatible::make_compatible;
 pub(crate) use editing::denominator::on_one_denominator;
 pub use editing::join::join;

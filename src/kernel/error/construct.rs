@@ -1,10 +1,11 @@
 //! Why a construction or conversion has no result.
 
+use glam::DVec3;
 use thiserror::Error;
 
 use super::super::{
     ceiling::{PIECES, STAND_IN_CELLS},
-    digits::{few_digits, how_far, plain},
+    digits::{few_digits, how_far, place, plain},
 };
 
 /// Nothing that goes through data or stays within a tolerance.
@@ -227,6 +228,12 @@ pub enum ConstructionError {
         "a straight section that lies along the spine can be turned across it in any direction"
     )]
     NoTurn,
+    /// What a tangent is asked for between.
+    #[error("what the tangent should start from and come to does not lie in one plane: it leaves it by {}", few_digits(*by))]
+    NotInOnePlane { by: f64 },
+    /// Curves with as many tangents as places.
+    #[error("as many {what} touch as there are places of a stretch that the curves run along together, near {}", place(*point))]
+    TangentAllAlong { what: &'static str, point: DVec3 },
     /// Something to turn that lies on the axis.
     #[error("the curve lies on the axis, so that turning it makes no surface")]
     OnAxis,

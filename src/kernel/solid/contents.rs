@@ -1,7 +1,7 @@
 //! What a solid is made of, counted and measured.
 
-use super::{Solid, box_around};
-use crate::{GeomError, Tolerance};
+use super::{EdgeAngles, Solid, SolidEdge, box_around};
+use crate::{GeomError, SurfaceCurve, Tolerance};
 
 /// What a solid is made of.
 ///
@@ -39,6 +39,12 @@ pub struct SolidContents {
     pub area: f64,
     /// The length of the shortest edge, model units; none without edges.
     pub least_edge: Option<f64>,
+    /// The sharpest angle between faces along an edge, inside or outside, radians; none without edges.
+    pub least_angle: Option<f64>,
+    /// A bound of how far an edge is from its faces at most, model units; none where there is no bound.
+    pub deviation: Option<f64>,
+    /// How far ends of edges that are one vertex are apart at most, model units.
+    pub welded: f64,
 }
 
 impl Solid {
@@ -53,10 +59,15 @@ impl Solid {
         let topology = self.topology(tolerance)?;
         let around = box_around(&self.faces);
         let mut is_end = vec![false; topology.vertices.len()];
-        let mut lengths = Vec::new();
+        let (mut lengths, mut deviation) = (Vec::new(), Some(0.0_f64));
+        let mut least_angle: Option<f64> = None;
         for edge in topology.edges.iter().filter(|edge| !edge.is_seam()) {
             edge.vertices.into_iter().for_each(|end| is_end[end] = true);
             lengths.push(edge.curve.length(edge.curve.domain()));
+            let own = self.edge_deviation(edge, tolerance);
+            deviation = deviation.zip(own).map(|(known, own)| known.max(own));
+            let sharpest = edge.angles(&self.faces).map(EdgeAngles::sharpest);
+            least_angle = least_angle.into_iter().chain(sharpest).reduce(f64::min);
         }
         let volume = self.volume_mass()?;
         let widest = 2.0 * tolerance.distance_for(around.diagonal());
@@ -72,6 +83,18 @@ impl Solid {
             volume_error: volume.relative_error * volume.amount + strips,
             area: self.area_mass()?.amount,
             least_edge: lengths.into_iter().reduce(f64::min),
+            least_angle,
+            deviation,
+            welded: topology.welded,
         })
+    }
+
+    /// A bound of how far an edge is from both of its faces; none where there is none.
+    fn edge_deviation(&self, edge: &SolidEdge, tolerance: Tolerance) -> Option<f64> {
+        let surfaces = edge.faces.map(|face| &**self.faces[face].surface());
+        let sizes = surfaces.map(|surface| surface.bounds().diagonal());
+        let distance = tolerance.distance_for(sizes[0].min(sizes[1]));
+        let found = SurfaceCurve::of(&edge.curve, surfaces, distance).ok()?;
+        Some(found.deviation).filter(|deviation| deviation.is_finite())
     }
 }

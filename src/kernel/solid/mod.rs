@@ -4,12 +4,13 @@
 //! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it,
 //! `beside_rim` planes that nearly touch an edge, `sweep` regions
 //! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
-//! that they share, `place` where points are, `contents` what it is made of.
+//! that they share, `edge_angle` how faces meet along them, `place` where points are, `contents` what it is made of.
 
 mod beside_rim;
 mod caps;
 mod contents;
 mod cut;
+mod edge_angle;
 mod error;
 mod mesh;
 mod nesting;
@@ -28,6 +29,7 @@ use crate::{
 };
 
 pub use contents::SolidContents;
+pub use edge_angle::EdgeAngles;
 pub use error::SolidError;
 pub use nesting::SolidBody;
 pub use piercing::CurveSolidIntersection;

@@ -57,6 +57,35 @@ impl Solid {
         Ok(bodies)
     }
 
+    /// Its bodies as solids of their own, each with the faces around it and then those of its voids.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+    ///
+    /// let ball = |radius: f64| Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, radius)?), Tolerance::DEFAULT);
+    /// let nested = Solid::new(&[ball(1.0)?, ball(3.0)?, ball(2.0)?], Tolerance::DEFAULT)?;
+    /// let bodies = nested.separate_bodies()?;
+    /// let n_shells: Vec<usize> = bodies.iter().map(|body| body.shells().count()).collect();
+    /// assert_eq!(n_shells, [1, 2]);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Self::bodies`].
+    pub fn separate_bodies(&self) -> Result<Vec<Self>, GeomError> {
+        let alone = |body: SolidBody| {
+            let mut own = Self { faces: Vec::new(), shells: Vec::new() };
+            for shell in [body.outer].into_iter().chain(body.voids) {
+                let first = own.faces.len();
+                own.shells.push((first..first + shell.len()).collect());
+                own.faces.extend(shell.into_iter().map(|face| self.faces[face].clone()));
+            }
+            own
+        };
+        Ok(self.bodies()?.into_iter().map(alone).collect())
+    }
+
     /// The shells that lie in an odd number of others.
     ///
     /// # Errors

@@ -36,6 +36,8 @@ pub struct SolidTopology {
     /// Edges that are points are left out.
     pub loops: Vec<Vec<Vec<Vec<(usize, bool)>>>>,
     n_shells: usize,
+    /// How far ends of edges that are one vertex are apart at most.
+    pub(super) welded: f64,
 }
 
 /// An edge that two faces have in common, or a seam of one.
@@ -108,6 +110,15 @@ struct CutArc {
     stops: Vec<(f64, usize)>,
 }
 
+impl CutArc {
+    /// How far its stops are from their vertices at most.
+    fn farthest_from(&self, vertices: &[DVec3]) -> f64 {
+        let gaps =
+            self.stops.iter().map(|&(t, vertex)| self.curve.point_at(t).distance(vertices[vertex]));
+        gaps.fold(0.0, f64::max)
+    }
+}
+
 /// Edges while their second sides are looked for.
 struct EdgeTable {
     edges: Vec<(NurbsCurve, [usize; 2], [Option<usize>; 2])>,
@@ -141,6 +152,7 @@ impl Solid {
             loops.push(parts);
         }
         let (vertices, arcs) = cut_arcs(curves, reach)?;
+        let welded = arcs.iter().map(|arc| arc.farthest_from(&vertices)).fold(0.0, f64::max);
         let mut table = EdgeTable { edges: Vec::new(), by_ends: BTreeMap::new(), reach };
         let mut found = Vec::with_capacity(loops.len());
         for (face, parts) in loops.into_iter().enumerate() {
@@ -159,7 +171,8 @@ impl Solid {
             found.push(of_face);
         }
         let edges = table.finished()?;
-        Ok(SolidTopology { vertices, edges, loops: found, n_shells: self.shells.len() })
+        let n_shells = self.shells.len();
+        Ok(SolidTopology { vertices, edges, loops: found, n_shells, welded })
     }
 }
 

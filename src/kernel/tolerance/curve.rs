@@ -77,3 +77,21 @@ pub(crate) const LEAST_MITRE: f64 = 1.0 / 16.0;
 ///
 /// Larger looks over several windings at once; smaller differences rounding.
 pub(crate) const SHORTEST_REACH: f64 = 1.0 / 1024.0;
+
+/// The tangents of a part of a curve are looked at as one arc of lines where their normals are within this of the
+/// middle one, radians.
+///
+/// Larger brings weights of lines near zero; smaller makes more parts of a curve than are needed.
+pub(crate) const DUAL_CONE: f64 = 0.26;
+
+/// Lines of two curves are one, to be made exact, where their slopes and heights are as near as this, in a plane of
+/// the size 1.
+///
+/// Larger finds more that is no contact, which costs time; smaller loses lines that touch twice by rounding.
+pub(crate) const DUAL_MEETING: f64 = 1e-9;
+
+/// A line touches a curve where the sine of their angle is at most this; an arc, where its centre is as near to where
+/// it should be, in a plane of the size 1.
+///
+/// Larger takes for a contact what only comes near; smaller loses those at which a curve bends as its tangent does.
+pub(crate) const TANGENT_ACCURACY: f64 = 1e-9;

@@ -215,3 +215,9 @@ pub(crate) const PINCH_ALIKE: f64 = 0.02;
 ///
 /// Larger takes surfaces that cross for parallel ones; smaller takes parallel ones far from the origin for crossing.
 pub(crate) const NORMAL_ROUNDING: f64 = 1e-8;
+
+/// Faces bend alike along an edge where their normal curvatures differ by this part of the larger one at most: edges
+/// that are splines are no nearer to the true ones.
+///
+/// Larger takes for one bend what a stripe of light tells apart; smaller tells apart what is one but for the edge.
+pub(crate) const BEND_AGREES: f64 = 1e-6;

@@ -108,6 +108,22 @@ pub enum FaceError {
         few_digits(-heights[0]), few_digits(heights[1]), place(*point)
     )]
     AcrossPlane { heights: [f64; 2], point: DVec3 },
+    /// An offset further away than what the surface bends around.
+    #[error(
+        "an offset by {} passes the centres of curvature, the nearest {} away, at {}",
+        plain(*distance), few_digits(*radius), place(*point)
+    )]
+    BeyondCentre { point: DVec3, radius: f64, distance: f64 },
+    /// Faces without an edge in common.
+    #[error(
+        "the faces share no edge: {}",
+        if gap.is_finite() {
+            format!("where they come nearest their borders are {} apart, at {}", few_digits(*gap), place(*point))
+        } else {
+            "one of them has no border".to_owned()
+        }
+    )]
+    NoCommonEdge { gap: f64, point: DVec3 },
     /// A place on a cut.
     #[error("{} lies on a cut: it tells no part of the face", place(*point))]
     OnCut { point: DVec3 },

@@ -8,14 +8,16 @@
 //! `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, where surfaces narrow to a point by `pinch`, `measure` integrals over faces, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
 //! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
-//! `clip` what of curves lies on them, `shell` what they enclose together where `border_edge` finds that they are
+//! `clip` what of curves lies on them, `beside` what is at a distance beside them, `continuity` how they go on in others, `shell` what they enclose together where `border_edge` finds that they are
 //! neighbours, `facing` which must turn to look alike.
 //! `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
+mod beside;
 mod border;
 mod border_edge;
 mod clip;
 mod conic;
+mod continuity;
 mod division;
 mod edge;
 mod error;
@@ -39,6 +41,7 @@ mod strip;
 
 pub use border::FaceEdge;
 pub(crate) use border_edge::FaceBorderEdge;
+pub use continuity::FaceContinuity;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;

@@ -2,6 +2,7 @@
 
 mod approximate;
 mod arc;
+mod arc_tangent;
 mod arc_through;
 mod beta_spline;
 mod bezier;
@@ -20,10 +21,12 @@ mod hermite;
 mod interpolate;
 mod lagrange;
 mod line;
+mod line_tangent;
 mod nurbs;
 pub(super) mod parametric;
 mod polyline;
 mod polynomial;
+mod tangent_ends;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
@@ -49,6 +52,8 @@ pub(super) static OPS: &[&Op] = &[
     &polynomial::OP,
     &arc::OP,
     &arc_through::OP,
+    &line_tangent::OP,
+    &arc_tangent::OP,
     &circle::OP,
     &ellipse::OP,
     &conic::OP,

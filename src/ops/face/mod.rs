@@ -3,12 +3,14 @@
 mod centroid;
 mod closest;
 mod contains;
+mod continuity;
 mod edges;
 mod flip;
 mod inertia;
 mod length;
 mod of_region;
 mod of_surface;
+mod offset;
 mod split;
 mod trim;
 
@@ -35,6 +37,8 @@ pub(super) static OPS: &[&Op] = &[
     &closest::OP,
     &contains::OP,
     &flip::OP,
+    &offset::OP,
+    &continuity::OP,
 ];
 
 /// A surface, or a part of one: what is asked at parameters.

@@ -8,15 +8,15 @@ use crate::{
 };
 
 /// The options of `continuity`.
-pub(super) struct ContinuityOptions {
-    pub(super) tolerance: Option<Spanned<Length>>,
-    pub(super) angle: Option<Spanned<Angle>>,
-    pub(super) curvature_gap: Option<Spanned<Curvature>>,
+pub(in crate::ops) struct ContinuityOptions {
+    pub(in crate::ops) tolerance: Option<Spanned<Length>>,
+    pub(in crate::ops) angle: Option<Spanned<Angle>>,
+    pub(in crate::ops) curvature_gap: Option<Spanned<Curvature>>,
 }
 
 impl ContinuityOptions {
     /// What counts as equal at a joint in a document of this tolerance.
-    pub(super) fn over(self, document: Tolerance) -> Result<JointTolerance> {
+    pub(in crate::ops) fn over(self, document: Tolerance) -> Result<JointTolerance> {
         let distance =
             self.tolerance.map(|length| positive("the tolerance", length)).transpose()?;
         if let Some(angle) = self.angle.filter(|angle| angle.value.0 <= 0.0) {

@@ -14,6 +14,7 @@ use crate::{
     value::{Dimension, Op},
 };
 
+pub(super) use continuity_limits::ContinuityOptions;
 pub(super) use surface::{
     MassOf,
     inertia::{inertia_told, varying_inertia},

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{ConstructionReport, Curve, Solid, Surface},
-    value::{At, Ctx, Geometry, IntoValue, Length, LengthPower, Record, Value, op},
+    value::{Angle, At, Ctx, Geometry, IntoValue, Length, LengthPower, Record, Value, op},
 };
 
 op! {
@@ -28,7 +28,9 @@ op! {
     ///
     /// Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
     /// and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
-    /// edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
+    /// edges), the sharpest angle between faces along an edge, inside or outside, by what 24 places of each show
+    /// (`least_angle`), a bound of how far an edge is from its faces (`deviation`), how far ends of edges are apart that
+    /// became one vertex (`welded`), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
     /// integral, and by what faces may miss one another within the document's tolerance along their edges.
     report in Measure -> Value {
         /// A curve or surface as a construction returned it, a solid, or a list of them.
@@ -97,6 +99,9 @@ fn made_of(solid: &Solid, span: Span, ctx: &Ctx<'_>) -> Result<Value> {
         ("volume_error", LengthPower::<3>(found.volume_error).into_value()),
         ("area", LengthPower::<2>(found.area).into_value()),
         ("least_edge", found.least_edge.map_or(Value::None, |length| Length(length).into_value())),
+        ("least_angle", found.least_angle.map_or(Value::None, |angle| Angle(angle).into_value())),
+        ("deviation", found.deviation.map_or(Value::None, |length| Length(length).into_value())),
+        ("welded", Length(found.welded).into_value()),
     ];
     Ok(Record::new(entries.map(|(name, value)| (Arc::from(name), value))).into_value())
 }

@@ -1,20 +1,24 @@
 //! Solids.
 
 mod area;
+mod bodies;
 mod centroid;
 mod closest;
 mod contains;
 mod cut;
 mod edges;
 mod extrude;
+mod faces;
 mod genus;
 mod inertia;
 mod intersect;
 mod of_faces;
 mod revolve;
 mod section;
+mod shells;
 mod skin;
 mod sweep;
+mod vertices;
 mod volume;
 
 use std::sync::Arc;
@@ -42,7 +46,11 @@ pub(super) static OPS: &[&Op] = &[
     &inertia::OP,
     &contains::OP,
     &closest::OP,
+    &faces::OP,
     &edges::OP,
+    &vertices::OP,
+    &shells::OP,
+    &bodies::OP,
     &genus::OP,
     &intersect::OP,
 ];

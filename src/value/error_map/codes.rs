@@ -60,6 +60,7 @@ const fn of_face(error: &FaceError) -> Code {
         FaceError::OpenShell { .. }
         | FaceError::CrowdedShell { .. }
         | FaceError::OneSided { .. } => Code::OpenShell,
+        FaceError::BeyondCentre { .. } => Code::BeyondCentre,
         FaceError::Narrow { .. } | FaceError::NearEdges { .. } => Code::WithinTolerance,
         FaceError::TouchesItself { .. } => Code::NotManifold,
         FaceError::PartsMissArea { .. } | FaceError::AcrossPlane { .. } => Code::Unproven,
@@ -71,6 +72,7 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::Misses { .. }
         | FaceError::RunsAlong { .. }
         | FaceError::NoPartAt { .. }
+        | FaceError::NoCommonEdge { .. }
         | FaceError::OnCut { .. }
         | FaceError::Nothing => Code::Degenerate,
     }
@@ -116,6 +118,8 @@ const fn of_construction(error: &ConstructionError) -> Code {
         | ConstructionError::OnlyPoints
         | ConstructionError::MixedSections { .. }
         | ConstructionError::NoTurn
+        | ConstructionError::NotInOnePlane { .. }
+        | ConstructionError::TangentAllAlong { .. }
         | ConstructionError::OnAxis => Code::Degenerate,
     }
 }

@@ -218,6 +218,9 @@ fn of_construction(error: &ConstructionError) -> Option<String> {
             "cut the closed one where the open one begins, or take it as it is with `align = false`"
                 .to_owned()
         }
+        ConstructionError::TangentAllAlong { .. } => {
+            "`trim` the curves to what should be touched".to_owned()
+        }
         ConstructionError::ClosedBetweenRails => {
             "`split` the section, or give one rail, to which z points".to_owned()
         }

@@ -19,6 +19,12 @@ pub(super) fn of_face(error: &FaceError) -> String {
         FaceError::OffSurface { .. } => {
             "curves on a surface lie on it within the document's `tolerance`"
         }
+        FaceError::BeyondCentre { .. } => {
+            "an offset by less, or to the other side, passes none; `trim` the face to what bends less"
+        }
+        FaceError::NoCommonEdge { .. } => {
+            "an edge is shared where it runs within the tolerance of one of the other: `tolerance` allows more"
+        }
         FaceError::Misses { .. } => "leave it out, or move it to where the face is",
         FaceError::RunsAlong { .. } => {
             "a cutter crosses the face; give the curves that bound the part"

@@ -6,4 +6,5 @@ pub(super) mod circle;
 pub(super) mod conic;
 pub(super) mod hermite;
 pub(super) mod offset;
+pub(super) mod tangent;
 pub(super) mod trajectory;
