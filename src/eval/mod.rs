@@ -41,6 +41,7 @@ mod number_call;
 mod operator;
 mod outcome;
 mod param;
+mod param_dimension;
 mod parametric;
 mod partial;
 mod relative_files;

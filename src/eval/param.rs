@@ -8,6 +8,7 @@ use super::{
     ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
     lower,
     machine::Machine,
+    param_dimension::{check_choices, check_range, check_step},
     settings::Setting,
 };
 use crate::{
@@ -229,6 +230,9 @@ impl ParameterRules {
                 self.in_range(*number, range, place, outside)
             }
             (Value::List(choices), _) => {
+                if let Value::Number(number) = value {
+                    check_choices(*number, choices, place)?;
+                }
                 let is_allowed = |choice: &Value| crate::value::equal(choice, value) == Some(true);
                 if choices.iter().any(is_allowed) {
                     return Ok(());
@@ -268,11 +272,9 @@ impl ParameterRules {
         place: Span,
         outside: impl Fn(String) -> Diagnostic,
     ) -> Result<()> {
-        let fits = |end: Number| number.beside(end).is_some();
-        if !fits(range.start) || !fits(range.end) {
-            let message =
-                format!("the range is of another dimension than the parameter, {}", number.dim);
-            return Diagnostic::error(Code::UnitMismatch, place, message).fail();
+        check_range(number, range, place)?;
+        if let Some((step, step_place)) = self.step {
+            check_step(number, step, step_place)?;
         }
         if range.end.value < range.start.value {
             return self.backwards(range, place).fail();

@@ -177,8 +177,8 @@ pub use error::{
 pub use failure::FunctionFailure;
 pub use fit::{
     Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,
-    approximate_within, check_parameters, columns_within, interpolate_varied, lagrange,
-    surface_within,
+    approximate_within, check_parameters, columns_within, interpolate_varied,
+    interpolate_varied_ring, lagrange, surface_within,
 };
 pub use frame::{Frame, unit};
 pub use gordon::{

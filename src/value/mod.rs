@@ -7,6 +7,7 @@
 mod affine;
 mod appearance;
 mod bind;
+mod common_dimension;
 mod compare;
 mod decode;
 mod display;
@@ -61,6 +62,7 @@ use crate::kernel::{
 pub use affine::{NoDerivative, through_affine, through_shape, varies};
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
+pub use common_dimension::CommonDimension;
 pub use compare::{Discrepancy, deviation, equal};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;

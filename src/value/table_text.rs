@@ -41,7 +41,7 @@ pub fn table_text(table: &Table) -> String {
 }
 
 /// The name of a column and its first cells; numbers with so many digits behind the point, or else with
-/// as many as they have.
+/// as many as they have, as those of a column without a unit that are all whole, which count something.
 #[must_use]
 pub fn table_cells(column: &NamedColumn, n_rows: usize, decimals: Option<usize>) -> Vec<String> {
     let format = decimals.and_then(|_| NumberFormat::new(decimals, None, "").ok());
@@ -54,6 +54,8 @@ pub fn table_cells(column: &NamedColumn, n_rows: usize, decimals: Option<usize>)
     let mut cells = vec![name];
     match &column.column {
         Column::Numbers(values) => {
+            let is_count = column.unit.is_none() && values.iter().all(|value| value.fract() == 0.0);
+            let rounded = |number| if is_count { None } else { rounded(number) };
             let cell = |&value: &f64| match value.is_finite() {
                 false => String::new(),
                 true if is_angle => {

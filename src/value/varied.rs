@@ -6,7 +6,9 @@ use std::{ops::Deref, sync::Arc};
 use super::{FromValue, IntoValue, Mismatch, Real, Type, Value, Vector};
 use crate::{
     diag::Span,
-    kernel::{Curve, GeomError, Grid, Jet, Side, Surface, VariedCurve, VariedSurface, jet},
+    kernel::{
+        Curve, GeomError, Grid, Jet, LocalError, Side, Surface, VariedCurve, VariedSurface, jet,
+    },
 };
 
 /// A curve, or one that depends on the parameters of a function that is differentiated.
@@ -68,13 +70,17 @@ impl RealCurve {
     /// C, C', … up to an order, at a parameter that varies.
     ///
     /// # Errors
-    /// As for [`Curve::derivatives_beside`], and where a derivative is no number.
+    /// As for [`Curve::derivatives_beside`], and where a derivative is no number, or goes over from one to another.
     pub fn series_beside(
         &self,
         t: &Jet,
         side: Side,
         order: usize,
     ) -> Result<Vec<Vector>, GeomError> {
+        if t.goes_both_ways() && !self.curve.is_smooth_at(t.value(), order + 1) {
+            let what = "the curve at its knot";
+            return Err(LocalError::NotDifferentiable { what, at: t.value() }.into());
+        }
         if let Some(varied) = &self.varied {
             let all = varied.derivatives_beside(t, side, order)?;
             return Ok(all.into_iter().map(|jets| Vector::Jets(Box::new(jets))).collect());

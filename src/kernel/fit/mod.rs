@@ -32,7 +32,7 @@ pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub(crate) use least::FitCondition;
-pub use moving::interpolate_varied;
+pub use moving::{interpolate_varied, interpolate_varied_ring};
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
 pub use within::{Lines, columns_within, surface_within};

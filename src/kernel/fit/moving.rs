@@ -15,6 +15,9 @@ use crate::{
     varied::knots::{KnotSlopes, with_knots_twice},
 };
 
+/// The degree of closed splines whose knots may move.
+const CUBIC: usize = 3;
+
 /// A spline through values at parameters, any of which may move.
 #[derive(Clone, Debug)]
 pub(crate) struct MovingSpline<'a> {
@@ -250,14 +253,75 @@ pub fn interpolate_varied(
         let speeds = SplineSpeeds { parameters: &speeds, values: own, tangents: [DVec4::ZERO; 2] };
         all.push((*variable, spline.slopes(&speeds)?));
     }
-    let polynomial = |mut points: Vec<DVec4>| {
-        points.iter_mut().for_each(|point| point.w = 1.0);
-        points
-    };
-    let twice = with_knots_twice(fit.knots(), vec![spline.points().to_vec()])?.concat();
-    let knots = spline.by_knots.knots().clone();
-    let fixed = NurbsCurve::new(knots, polynomial(twice))?;
-    let slopes = PointSlopes::new(slopes.n_variables(), fixed.control_points().len(), all)?;
-    let varied = VariedCurve::new(fixed.into(), slopes)?;
-    Ok(varied.of_moving_knots(fit.curve(points)?.into()))
+    varied_on_own_knots(&spline, all, slopes.n_variables(), fit.curve(points)?)
+}
+
+/// The spline with the slopes of its control points over the knots that do not move, as what it is on its own.
+fn varied_on_own_knots(
+    spline: &MovingSpline<'_>,
+    by_variable: Vec<(usize, Vec<DVec4>)>,
+    n_variables: usize,
+    own: NurbsCurve,
+) -> Result<Option<VariedCurve>, GeomError> {
+    let twice = with_knots_twice(&spline.fit.knots, vec![spline.points.clone()])?.concat();
+    let polynomial = twice.into_iter().map(|point| point.truncate().extend(1.0)).collect();
+    let fixed = NurbsCurve::new(spline.by_knots.knots().clone(), polynomial)?;
+    let slopes = PointSlopes::new(n_variables, fixed.control_points().len(), by_variable)?;
+    Ok(VariedCurve::new(fixed.into(), slopes)?.of_moving_knots(own.into()))
+}
+
+/// The cubic that [`Interpolator::periodic`] makes through points that vary, the first of which stands at the end again,
+/// at parameters by a rule; none where its slopes are not known.
+///
+/// It is the one that is clamped by the tangent at its seam, where the second derivatives of both ends agree: so do
+/// their slopes, which tells that of the tangent.
+///
+/// # Errors
+/// As for [`Interpolator::periodic`].
+///
+/// ```
+/// use virote_kernel::{Parametrization, PointSlopes, interpolate_varied_ring, glam::{DVec3, DVec4}};
+///
+/// // A square that grows about its centre: its length grows with it.
+/// let corners = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y, DVec3::X];
+/// let outward = corners.iter().map(|corner| corner.extend(0.0)).collect();
+/// let slopes = PointSlopes::new(1, 5, vec![(0, outward)])?;
+/// let varied = interpolate_varied_ring(Parametrization::Chord, &corners, &slopes)?.expect("slopes");
+/// let length = varied.length(varied.curve().domain())?;
+/// assert!((length.slopes()[0] - length.value()).abs() < 1e-12 * length.value());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+pub fn interpolate_varied_ring(
+    rule: Parametrization,
+    points: &[DVec3],
+    slopes: &PointSlopes,
+) -> Result<Option<VariedCurve>, GeomError> {
+    let parameters = rule.parameters(points)?;
+    let around = &points[..points.len().saturating_sub(1)];
+    let own = Interpolator::periodic(&parameters, CUBIC)?.curve(around)?;
+    let (from, to) = (parameters[0], parameters[parameters.len() - 1]);
+    let tangent = own.derivatives_at(from, 1)[1].extend(0.0);
+    let fit = Interpolator::new(&parameters, CUBIC, Ends::Clamped)?;
+    let values: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
+    let spline = MovingSpline::new((&fit, Ends::Clamped), &parameters, &values, [tangent; 2])?;
+    let Some(spline) = spline.filter(|_| own.degree() == CUBIC) else { return Ok(None) };
+    let knots = spline.by_knots.knots();
+    let bend =
+        |points: &[DVec4]| derivative(knots, points, from, 2) - derivative(knots, points, to, 2);
+    let still = vec![0.0; points.len()];
+    let (rest, tangents) = (vec![DVec4::ZERO; points.len()], [DVec4::ONE; 2]);
+    let by_tangent =
+        spline.slopes(&SplineSpeeds { parameters: &still, values: &rest, tangents })?;
+    let bend_by_tangent = bend(&by_tangent);
+    let mut all = Vec::with_capacity(slopes.by_variable().len());
+    for (variable, values) in slopes.by_variable() {
+        GeomError::go_on(1)?;
+        let Some(parameters) = rule.speeds(points, &parameters, values) else { return Ok(None) };
+        let tangents = [DVec4::ZERO; 2];
+        let mut own = spline.slopes(&SplineSpeeds { parameters: &parameters, values, tangents })?;
+        let speed = -bend(&own) / bend_by_tangent;
+        own.iter_mut().zip(&by_tangent).for_each(|(own, by_tangent)| *own += *by_tangent * speed);
+        all.push((*variable, own));
+    }
+    varied_on_own_knots(&spline, all, slopes.n_variables(), own)
 }

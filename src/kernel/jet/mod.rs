@@ -201,6 +201,13 @@ impl Jet {
         slope.is_none_or(|slope| 0.0 <= *slope)
     }
 
+    /// Whether it depends on some of several variables, which may grow or fall: then it passes its value to both
+    /// sides. A series of a higher order goes into one side.
+    #[must_use]
+    pub fn goes_both_ways(&self) -> bool {
+        self.n_variables().is_some() && self.slopes().iter().any(|slope| 0.0 < slope.abs())
+    }
+
     /// Whether the derivatives are those of another jet; the values may differ.
     #[must_use]
     pub fn has_slopes_of(&self, other: &Self) -> bool {

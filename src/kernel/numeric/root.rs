@@ -95,10 +95,19 @@ fn sought<E>(
 }
 
 /// Every root of a function in an interval that samples at equal distances tell apart, in order: roots
-/// that are nearer to one another may be missed in pairs.
+/// that are nearer to one another may be missed in pairs. A jump over zero, such as a pole, is no root and is passed over.
+///
+/// ```
+/// use virote_kernel::{RootError, find_roots};
+///
+/// let step = |x: f64| Ok::<_, ()>(if x < 1.0 { -1.0 - x } else { 3.0 - x });
+/// let roots: Vec<f64> = find_roots(step, [0.0, 5.0])?.iter().map(|root| root.at).collect();
+/// assert_eq!(roots, [3.0]);
+/// # Ok::<(), RootError<()>>(())
+/// ```
 ///
 /// # Errors
-/// Those of the function; a jump over zero; a stretch along which it is zero; roots in every fourth part or more.
+/// Those of the function; a stretch along which it is zero; roots in every fourth part or more.
 pub fn find_roots<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
@@ -120,10 +129,11 @@ pub fn find_roots<E>(
         if is_zero(pair[0].value) {
             roots.push(asked.single(pair[0])?);
         } else if is_change(pair[0], pair[1]) {
-            roots.push(between(&mut asked, [pair[0], pair[1]], end - start)?);
+            roots.extend(unless_jump(between(&mut asked, [pair[0], pair[1]], end - start))?);
         } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
             && is_valley(before, middle, after)
-            && let Ok(root) = touch_between(&mut asked, [before, middle, after], Touch::IsRoot)?
+            && let Some(Ok(root)) =
+                unless_jump(touch_between(&mut asked, [before, middle, after], Touch::IsRoot))?
         {
             roots.push(root);
         }
@@ -132,6 +142,15 @@ pub fn find_roots<E>(
         roots.push(asked.single(*last)?);
     }
     Ok(roots)
+}
+
+/// What was found; none where the function jumps over zero.
+fn unless_jump<T, E>(found: Result<T, RootError<E>>) -> Result<Option<T>, RootError<E>> {
+    match found {
+        Ok(root) => Ok(Some(root)),
+        Err(RootError::Jump { .. }) => Ok(None),
+        Err(error) => Err(error),
+    }
 }
 
 fn is_change(a: Sample, b: Sample) -> bool {

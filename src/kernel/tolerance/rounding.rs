@@ -5,6 +5,13 @@
 /// Larger takes digits for noise; smaller than this nothing is computed.
 pub const LAST_BIT: f64 = f64::EPSILON;
 
+/// Roundings of the largest coordinate by which derivatives on both sides of a knot may differ that are the same, for
+/// each order over the width of a piece.
+///
+/// Larger takes a corner of a curve that is small beside its distance from the origin for none; smaller finds corners
+/// where rounding has been at work.
+pub(crate) const KNOT_DERIVATIVE_ROUNDINGS: f64 = 64.0;
+
 /// A derivative over the whole domain, or the area of two of them, below this fraction of the
 /// control polygon's size (squared for areas) has vanished: its direction is rounding.
 ///

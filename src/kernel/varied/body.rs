@@ -124,7 +124,8 @@ impl VariedSolid {
     /// The slopes of the centre of gravity of the inside along a direction, from the volume.
     ///
     /// # Errors
-    /// [`LocalError::NotDifferentiable`] short of a full turn; where the work is ended.
+    /// [`LocalError::NotDifferentiable`] of a full turn whose angle varies, and where a region that is turned leaves the
+    /// plane of the axis; where the work is ended.
     pub fn centroid_slopes(&self, along: DVec3) -> Result<Vec<f64>, GeomError> {
         match &self.way {
             RegionWay::Along(_, slopes) => {
@@ -143,14 +144,48 @@ impl VariedSolid {
                 };
                 self.region.moment_slopes(weight)
             }
-            RegionWay::About(_, angle, _) => Err(none("the centroid of a part of a turn", *angle)),
+            RegionWay::About(axis, angle, slopes) => {
+                self.turned_centroid_slopes(*axis, *angle, slopes, along)
+            }
         }
     }
 
-    /// The slopes of the area of its faces: twice that of the region, and what its borders pass.
+    /// The same short of a full turn: of x = ρ cos φ, y = ρ sin φ, z by cylindrical coordinates, quotients of the
+    /// moments of the region ∫ρ², ∫ρz and ∫ρ with what the angle makes of them.
+    fn turned_centroid_slopes(
+        &self,
+        axis: Axis,
+        angle: f64,
+        slopes: &[f64],
+        along: DVec3,
+    ) -> Result<Vec<f64>, GeomError> {
+        let (mass, across) = (self.solid.volume_mass()?, self.across(axis));
+        let (foot, up, turn) = (axis.foot(), axis.direction(), angle.abs());
+        let (sin, cos) = (libm::sin(turn), libm::cos(turn));
+        let (ahead, aside) = (across.dot(along), angle.signum() * up.cross(across).dot(along));
+        let rise = up.dot(along);
+        // What the squares of the distance count, and how that grows with the angle.
+        let (share, growth) = (ahead * sin + aside * (1.0 - cos), ahead * cos + aside * sin);
+        let arm = mass.centroid - foot;
+        let (place, height) = (arm.dot(along), arm.dot(up));
+        let weight = |point: DVec3| {
+            let (distance, z) = ((point - foot).dot(across), (point - foot).dot(up));
+            distance * (turn * (rise * z - place) + share * distance) / mass.amount
+        };
+        let by_region = self.region.moment_slopes(weight)?;
+        // Of the centre's distance from the axis; and the moments to the volume, for each radian.
+        let squares = (arm - up * height).length() / (2.0 * libm::sin(0.5 * turn));
+        let by_angle = squares * growth + (rise * height - place) / turn;
+        Ok(sums(&by_region, slopes, |slope| angle.signum() * slope * by_angle))
+    }
+
+    /// The slopes of the area of its faces: twice that of the region, and what its borders pass; by Pappus and Guldin,
+    /// of what turns, the angle times the integral of the distance from the axis along them, and twice the region
+    /// short of a full turn.
     ///
     /// # Errors
-    /// [`LocalError::NotDifferentiable`] where the region turns about an axis; where the work is ended.
+    /// [`LocalError::NotDifferentiable`] of a full turn whose angle varies, and where a region that is turned leaves the
+    /// plane of the axis; where the work is ended.
     pub fn area_slopes(&self) -> Result<Vec<f64>, GeomError> {
         match &self.way {
             RegionWay::Along(way, slopes) => {
@@ -161,7 +196,25 @@ impl VariedSolid {
                     ends.iter().zip(sides).map(|(ends, sides)| 2.0 * ends + sides).collect();
                 Ok(sums(&by_region, slopes, |slope: &DVec3| slope.dot(by_way)))
             }
-            RegionWay::About(_, angle, _) => Err(none("the area of what turns", *angle)),
+            RegionWay::About(_, angle, slopes) if is_full(*angle) && !is_fixed(slopes) => {
+                Err(none("the area of a full turn", *angle))
+            }
+            RegionWay::About(_, angle, _) if self.region.leaves_its_plane() => {
+                Err(none(OUT_OF_PLANE, *angle))
+            }
+            RegionWay::About(axis, angle, slopes) => {
+                let across = self.across(*axis);
+                let distance = |point: DVec3| (point - axis.foot()).dot(across);
+                let of_sides = self.region.border_slopes("the area", |point| {
+                    (angle.abs() * distance(point), angle.abs() * across)
+                })?;
+                let n_ends = if is_full(*angle) { 0.0 } else { 2.0 };
+                let ends = self.region.area_slopes()?;
+                let by_region: Vec<f64> =
+                    ends.iter().zip(of_sides).map(|(ends, sides)| n_ends * ends + sides).collect();
+                let passed = self.region.border_integral("the area", distance)?;
+                Ok(sums(&by_region, slopes, |slope| angle.signum() * slope * passed))
+            }
         }
     }
 

@@ -195,6 +195,45 @@ impl VariedRegion {
         Ok(all)
     }
 
+    /// The slopes of the integral of a density, and of its value at each place and its gradient, along all borders.
+    pub(super) fn border_slopes(
+        &self,
+        what: &'static str,
+        density: impl Fn(DVec3) -> (f64, DVec3),
+    ) -> Result<Vec<f64>, GeomError> {
+        let mut all = vec![0.0; self.n_variables];
+        let partials = |point: DVec3, tangent: DVec3| {
+            let (value, gradient) = density(point);
+            Some([gradient * tangent.length(), tangent.try_normalize()? * value])
+        };
+        for curve in self.borders.iter().flat_map(|border| &border.curves) {
+            let slopes = curve.integral_slopes(what, &partials)?;
+            all.iter_mut().zip(slopes).for_each(|(sum, slope)| *sum += slope);
+        }
+        Ok(all)
+    }
+
+    /// The integral of a density along all borders.
+    pub(super) fn border_integral(
+        &self,
+        what: &'static str,
+        density: impl Fn(DVec3) -> f64,
+    ) -> Result<f64, GeomError> {
+        let mut sum = 0.0;
+        for curve in self.borders.iter().flat_map(|border| &border.curves) {
+            let curve = curve.curve();
+            let along = |t: f64| {
+                let found = curve.derivatives_at(t, 1);
+                Ok::<_, GeomError>(vec![density(found[0]) * found[1].length()])
+            };
+            for span in curve.knots().spans() {
+                let found = integral(what, along, curve.knots().span_interval(span))?;
+                sum += found.first().copied().unwrap_or_default();
+            }
+        }
+        Ok(sum)
+    }
+
     /// How that area grows with the vector.
     pub(super) fn side_gradient(&self, way: DVec3) -> Result<DVec3, GeomError> {
         let mut sum = DVec3::ZERO;

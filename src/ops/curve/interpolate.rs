@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::fit::{Parameters, chord, distinct_parameters, moves_knots, slopes_of, two_tangents};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{ConstructionReport, Curve, Ends, Interpolator, NurbsCurve, interpolate_varied},
+    kernel::{
+        ConstructionReport, Curve, Ends, Interpolator, NurbsCurve, Parametrization, PointSlopes,
+        interpolate_varied, interpolate_varied_ring,
+    },
     value::{At, AtLeast, CARRIES_DERIVATIVES, Call, Ctx, RealCurve, Vector, op},
 };
 
@@ -43,6 +46,7 @@ op! {
     example "interpolate((0, 0), (1, 1), (2, 0), (3, 1))(1/3) ~= (1, 1)" => "true";
     example "interpolate([(0, 0), (1, 0)], tangents = [(0, 3), (0, -3)])(0.5)" => "(0.5, 0.75, 0)";
     example "interpolate((1, 0), (0, 1), (-1, 0), (0, -1), closed = true)(0.75) ~= (0, -1)" => "true";
+    example "gradient(r => length(interpolate([(r, 0), (0, r), (-r, 0), (0, -r)], closed = true)), 2) ~= length(interpolate([(1, 0), (0, 1), (-1, 0), (0, -1)], closed = true))" => "true";
     refuses "interpolate((0, 0), (1, 1), (1, 1), (2, 0))" => "E0607: points 1 and 2 are at one place";
     refuses "interpolate((0, 0), (1, 1), (2, 0), parameters = [0, 2, 1])" => "E0610: parameter 2 is 1, not above the 2 before it; parameters increase";
     refuses "interpolate((0, 0), (1, 1), (2, 0), ends = \"clamped\")" => "E0401: \"clamped\" ends need their tangents";
@@ -55,7 +59,8 @@ op! {
 
 /// Whether the knots move with the points, and the spline has slopes nevertheless.
 fn is_of_moving_knots(call: &Call) -> bool {
-    let is_taken = |name: &str| matches!(name, "degree" | "parameters" | "ends" | "points");
+    let is_taken =
+        |name: &str| matches!(name, "degree" | "parameters" | "ends" | "points" | "closed");
     moves_knots(call) && call.named.iter().all(|(name, _)| is_taken(&name.value))
 }
 
@@ -69,6 +74,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealCurve> {
     };
     let (span, degree) = (args.points.span, args.degree.value);
     let Parameters::By(rule) = args.parameters.value else { return no_slopes(ctx.span) };
+    if args.closed {
+        return closed_varied(ctx, (degree, rule, args.parameters), (points, &slopes), span);
+    }
     let parameters = distinct_parameters(args.parameters, Spanned::new(&points[..], span))?;
     let ends = ends_for(args.ends.value, points.len(), degree);
     let fit = Interpolator::new(&parameters, degree, ends).at(span)?;
@@ -121,9 +129,12 @@ fn reporting(curve: NurbsCurve, parameters: Vec<f64>) -> NurbsCurve {
     )
 }
 
-/// The periodic curve.
-fn closed(ctx: &Ctx<'_>, args: Args, mut around: Vec<DVec3>) -> Result<NurbsCurve> {
-    let span = args.points.span;
+/// The points of a closed curve, the first of them at the end again, and where on it they lie.
+fn ring(
+    ctx: &Ctx<'_>,
+    parameters: Spanned<Parameters>,
+    (mut around, span): (Vec<DVec3>, Span),
+) -> Result<(Vec<DVec3>, Vec<f64>)> {
     let first = around[0];
     if around.len() > 1 && ctx.tolerance.distance < around[around.len() - 1].distance(first) {
         around.push(first);
@@ -134,11 +145,41 @@ fn closed(ctx: &Ctx<'_>, args: Args, mut around: Vec<DVec3>) -> Result<NurbsCurv
         return Diagnostic::error(Code::TooFewPoints, span, message).fail();
     }
     around[n_points] = first;
-    let listed = args.parameters.span;
-    let parameters = distinct_parameters(args.parameters, Spanned::new(&around[..], span))
+    let listed = parameters.span;
+    let parameters = distinct_parameters(parameters, Spanned::new(&around[..], span))
         .map_err(|mistake| about_return(mistake, listed, n_points))?;
+    Ok((around, parameters))
+}
+
+/// The periodic curve.
+fn closed(ctx: &Ctx<'_>, args: Args, points: Vec<DVec3>) -> Result<NurbsCurve> {
+    let span = args.points.span;
+    let (around, parameters) = ring(ctx, args.parameters, (points, span))?;
     let interpolator = Interpolator::periodic(&parameters, args.degree.value).at(span)?;
-    Ok(reporting(interpolator.curve(&around[..n_points]).at(span)?, parameters))
+    Ok(reporting(interpolator.curve(&around[..around.len() - 1]).at(span)?, parameters))
+}
+
+/// The same through points that vary.
+fn closed_varied(
+    ctx: &Ctx<'_>,
+    (degree, rule, parameters): (usize, Parametrization, Spanned<Parameters>),
+    (points, slopes): (Vec<DVec3>, &PointSlopes),
+    span: Span,
+) -> Result<RealCurve> {
+    let (around, _) = ring(ctx, parameters, (points, span))?;
+    let last = around.len() - 1;
+    if degree != 3 {
+        return no_slopes(ctx.span);
+    }
+    let returning = |(variable, own): &(usize, Vec<DVec4>)| {
+        let mut own = own[..last].to_vec();
+        own.extend(own.first().copied());
+        (*variable, own)
+    };
+    let by_variable = slopes.by_variable().iter().map(returning).collect();
+    let slopes = PointSlopes::new(slopes.n_variables(), around.len(), by_variable).at(span)?;
+    let varied = interpolate_varied_ring(rule, &around, &slopes).at(span)?;
+    varied.map_or_else(|| no_slopes(ctx.span), |varied| Ok(Arc::new(varied).into()))
 }
 
 /// Tells what the number of parameters of a closed curve counts.

@@ -15,6 +15,7 @@ op! {
     }
     example "mean([1, 2, 6])" => "3";
     example "mean([(0, 0), (2, 4)])" => "(1, 2, 0)";
+    example "mean([0, 30deg])" => "15deg";
     refuses "mean([])" => "E0502: an empty list has no `mean`";
     refuses "mean([1, (0, 0)])" => "E0301: numbers and points cannot be added";
 }

@@ -31,11 +31,14 @@ use glam::DVec3;
 
 use order::extreme_index;
 
-use super::math::{common_dim, finite, sum_dim};
+use super::math::{common_dim, finite, mismatch};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::{Ceiling, work},
-    value::{Callback, Ctx, FromValue, List, Number, Op, Real, Value, Vector, Witness, WitnessOf},
+    value::{
+        Callback, CommonDimension, Ctx, FromValue, List, Number, Op, Real, Value, Vector, Witness,
+        WitnessOf,
+    },
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -85,23 +88,22 @@ enum Total {
 
 /// The sum of numbers or points.
 fn total(items: &[Value], span: Span) -> Result<Total> {
-    let mismatch = |item: &Value| {
+    let stranger = |item: &Value| {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
         Box::new(Diagnostic::error(Code::WrongKind, span, message))
     };
-    let (mut value, mut dim) = (Real::Plain(0.0), None);
+    let (mut value, mut dim) = (Real::Plain(0.0), CommonDimension::default());
     let mut point = Vector::Plain(DVec3::ZERO);
     let items = if work::passes(items.len()) { items } else { &[] };
     for (i, item) in items.iter().enumerate() {
         match (item.kind(), items[0].kind()) {
             ("number", "number") => {
-                let number = Number::<Real>::from_value(item, span).map_err(|_| mismatch(item))?;
-                let before = Number { value: 0.0, dim: dim.unwrap_or(number.dim) };
-                dim = Some(sum_dim(&[before, number.looked_at()], span)?);
+                let number = Number::<Real>::from_value(item, span).map_err(|_| stranger(item))?;
+                dim.take(number.looked_at()).map_err(|dims| mismatch(dims, span))?;
                 value = value.plus(&number.value);
             }
             ("point", "point") => {
-                let summand = Vector::from_value(item, span).map_err(|_| mismatch(item))?;
+                let summand = Vector::from_value(item, span).map_err(|_| stranger(item))?;
                 point = point.plus(&summand);
             }
             ("number" | "point", _) if i > 0 => {
@@ -112,12 +114,12 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
                 )
                 .fail();
             }
-            _ => return Err(mismatch(item)),
+            _ => return Err(stranger(item)),
         }
     }
     Ok(match items.first().map(Value::kind) {
         Some("point") => Total::Point(point),
-        _ => Total::Number(Number { value: finite(value, span)?, dim: dim.unwrap_or_default() }),
+        _ => Total::Number(Number { value: finite(value, span)?, dim: dim.dimension() }),
     })
 }
 

@@ -14,7 +14,9 @@ op! {
     }
     example "sum([1, 2, 3.5])" => "6.5";
     example "sum(1..100)" => "5050";
+    example "sum([0, 30deg, 60deg])" => "90deg";
     example "sum([(1, 0), (0, 2)])" => "(1, 2, 0)";
+    refuses "sum([30deg, 1])" => "E0303: an angle and a number without a unit do not mix";
     refuses "sum([1mm, 2deg])" => "E0303: a length and an angle do not mix";
 }
 

@@ -1,6 +1,6 @@
 //! `hypot`: the hypotenuse.
 
-use super::{finite, sum_dim};
+use super::{common_dim, finite};
 use crate::{
     diag::Result,
     value::{At, Ctx, Dimension, Number, OnNumbers, Real, op},
@@ -20,7 +20,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number<Real>> {
     let legs = [args.x, args.y];
-    let dim = sum_dim(&legs, ctx.span)?;
+    let dim = common_dim(legs.iter().map(Number::looked_at), ctx.span)?;
     let length = legs[0].value.hypot(&legs[1].value).at(ctx.span)?;
     Ok(Number { value: finite(length, ctx.span)?, dim })
 }

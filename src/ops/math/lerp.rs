@@ -1,6 +1,6 @@
 //! `lerp`: linear interpolation.
 
-use super::{Quantity, Ratio, finite, outside, sum_dim};
+use super::{Quantity, Ratio, common_dim, finite, outside};
 use crate::{
     diag::Result,
     value::{Ctx, Dimension, IntoValue, Number, OnNumbers, Real, Value, op},
@@ -18,6 +18,8 @@ op! {
     }
     example "lerp(2, 4, 0.25)" => "2.5";
     example "lerp((0, 0), (2, 4), 0.5)" => "(1, 2, 0)";
+    example "lerp(0, 90deg, 0.5)" => "45deg";
+    refuses "lerp(1, 90deg, 0.5)" => "E0303: a number without a unit and an angle do not mix";
     refuses "lerp(1, (0, 0), 0.5)" => "E0502: both values must be numbers, or both points";
     on_numbers OnNumbers::Three(sum_of_ends, between);
 }
@@ -27,7 +29,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let rest = Real::Plain(1.0).minus(&t);
     match (a, b) {
         (Quantity::Number(a), Quantity::Number(b)) => {
-            let dim = sum_dim(&[a.looked_at(), b.looked_at()], ctx.span)?;
+            let dim = common_dim([a.looked_at(), b.looked_at()].into_iter(), ctx.span)?;
             let value = finite(a.value.times(&rest).plus(&b.value.times(&t)), ctx.span)?;
             // A bare number changes no power.
             let dim = dim.times(dim_of_t).unwrap_or(dim);

@@ -30,7 +30,8 @@ mod tanh;
 use crate::{
     diag::{Code, Diagnostic, Fix, Result, Span},
     value::{
-        BARE_AND_ANGLE, Ctx, Dimension, FromValue, Mismatch, Number, Op, Real, Type, Value, Vector,
+        BARE_AND_ANGLE, CommonDimension, Ctx, Dimension, FromValue, Mismatch, Number, Op, Real,
+        Type, Value, Vector,
     },
 };
 
@@ -84,23 +85,20 @@ pub(super) fn empty<T>(span: Span, what: &str) -> Result<T> {
 
 /// The dimension of numbers one of which is the answer, or on the way to it; a bare number fits any but an angle, beside
 /// which only 0 says what it is.
-pub(super) fn common_dim(
-    numbers: impl Iterator<Item = Number> + Clone,
-    span: Span,
-) -> Result<Dimension> {
-    let dim = dim_of_all(numbers.clone().map(|number| number.dim), Dimension::common, span)?;
-    if dim.angle_power() == 0 {
-        return Ok(dim);
+pub(super) fn common_dim(numbers: impl Iterator<Item = Number>, span: Span) -> Result<Dimension> {
+    let mut common = CommonDimension::default();
+    for number in numbers {
+        common.take(number).map_err(|[a, b]| {
+            // The bare one first, as where two are added.
+            mismatch(if b.is_bare() { [b, a] } else { [a, b] }, span)
+        })?;
     }
-    let holds_angle = |number: &Number| number.dim.angle_power() != 0;
-    let is_unsaid = |number: &Number| !holds_angle(number) && 0.0 < number.value.abs();
-    match (numbers.clone().find(holds_angle), numbers.clone().find(is_unsaid)) {
-        (Some(angle), Some(bare)) => {
-            let message = format!("{} and {} do not mix", bare.dim, angle.dim);
-            Diagnostic::error(Code::UnitMismatch, span, message).hint(BARE_AND_ANGLE).fail()
-        }
-        _ => Ok(dim),
-    }
+    Ok(common.dimension())
+}
+
+pub(super) fn mismatch([a, b]: [Dimension; 2], span: Span) -> Box<Diagnostic> {
+    let found = Diagnostic::error(Code::UnitMismatch, span, format!("{a} and {b} do not mix"));
+    Box::new(if a.is_bare() || b.is_bare() { found.hint(BARE_AND_ANGLE) } else { found })
 }
 
 /// The dimension of what is rounded to whole numbers, of which there are none of an angle: degrees are not radians.
@@ -118,27 +116,6 @@ fn check_whole(x: Number, name: &str, span: Span) -> Result<()> {
     Diagnostic::error(Code::UnitMismatch, span, message)
         .hint(format!("in degrees: `{name}(x / 1deg) * 1deg`"))
         .fail()
-}
-
-/// The dimension of numbers that are added; a bare number fits all but angles.
-pub(super) fn sum_dim<T>(numbers: &[Number<T>], span: Span) -> Result<Dimension> {
-    dim_of_all(numbers.iter().map(|number| number.dim), Dimension::sum, span)
-}
-
-fn dim_of_all(
-    mut dims: impl Iterator<Item = Dimension>,
-    of_two: fn(Dimension, Dimension) -> Option<Dimension>,
-    span: Span,
-) -> Result<Dimension> {
-    let first = dims.next().unwrap_or_default();
-    dims.try_fold(first, |dim, next| {
-        of_two(dim, next).ok_or_else(|| {
-            let message = format!("{dim} and {next} do not mix");
-            let diagnostic = Diagnostic::error(Code::UnitMismatch, span, message);
-            let is_bare = dim.is_bare() || next.is_bare();
-            Box::new(if is_bare { diagnostic.hint(BARE_AND_ANGLE) } else { diagnostic })
-        })
-    })
 }
 
 /// The dimension of a function of bare numbers, which is one.

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{NamedColumn, Table},
-    value::{At, CARRIES_DERIVATIVES, Ctx, Dimension, Number, Record, Value, op},
+    value::{
+        At, BARE_AND_ANGLE, CARRIES_DERIVATIVES, CommonDimension, Ctx, Number, Record, Value, op,
+    },
 };
 
 op! {
@@ -19,6 +21,7 @@ op! {
     }
     example "table({x: [0, 1], y: [2, 3]}).y" => "[2, 3]";
     refuses "table({x: [1mm, 30deg]})" => "E0301: column `x` holds numbers, strings or points, but of one kind; found a length beside an angle";
+    refuses "table({x: [30deg, 45]})" => "E0303: column `x` holds an angle beside a number without a unit";
     refuses "table({x: 1})" => "E0301: column `x` must be a list, found the number 1";
     refuses "table({x: [0, 1], y: [2]})" => "E0301: column \"y\" has 1 row, the first has 2";
 }
@@ -52,12 +55,28 @@ pub(super) fn columns_of(
             .hint(CARRIES_DERIVATIVES)
             .fail();
     }
-    of_one_kind(name, items, unit).map_err(|found| {
-        let message = format!(
-            "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
-        );
-        Box::new(Diagnostic::error(Code::WrongKind, span, message))
+    of_one_kind(name, items, unit).map_err(|odd| {
+        Box::new(match odd {
+            Odd::Cell(found) => {
+                let message = format!(
+                    "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
+                );
+                Diagnostic::error(Code::WrongKind, span, message)
+            }
+            Odd::BareAngle(found) => {
+                let message = format!("column `{name}` holds {found}");
+                Diagnostic::error(Code::UnitMismatch, span, message).hint(BARE_AND_ANGLE)
+            }
+        })
     })
+}
+
+/// Why cells make no column.
+enum Odd {
+    /// A cell, or two, in words.
+    Cell(String),
+    /// A number without a unit and an angle, in words.
+    BareAngle(String),
 }
 
 /// The columns of cells of one kind; else the cell that does not fit.
@@ -65,10 +84,10 @@ fn of_one_kind(
     name: &str,
     items: &[Value],
     unit: &str,
-) -> std::result::Result<Vec<NamedColumn>, String> {
+) -> std::result::Result<Vec<NamedColumn>, Odd> {
     let odd = |wanted: &str| {
         let found = items.iter().find(|item| item.kind() != wanted);
-        found.map_or_else(String::new, Value::phrase)
+        Odd::Cell(found.map_or_else(String::new, Value::phrase))
     };
     let numbers: Option<Vec<Number>> = items
         .iter()
@@ -110,7 +129,7 @@ fn of_one_kind(
             Ok(vec![axis('x', 0), axis('y', 1), axis('z', 2)])
         }
         Some(Value::Number(_)) => Err(odd("number")),
-        Some(other) => Err(other.phrase()),
+        Some(other) => Err(Odd::Cell(other.phrase())),
         None => Ok(vec![NamedColumn::numbers(name, Vec::new())]),
     }
 }
@@ -120,12 +139,15 @@ fn numbers_column(
     name: &str,
     numbers: &[Number],
     unit: &str,
-) -> std::result::Result<NamedColumn, String> {
-    let mut dim = Dimension::NONE;
-    for number in numbers {
-        let odd = || format!("{dim} beside {}", number.dim);
-        dim = dim.common(number.dim).ok_or_else(odd)?;
+) -> std::result::Result<NamedColumn, Odd> {
+    let mut common = CommonDimension::default();
+    for &number in numbers {
+        common.take(number).map_err(|[a, b]| {
+            let odd = if a.is_bare() || b.is_bare() { Odd::BareAngle } else { Odd::Cell };
+            odd(format!("{a} beside {b}"))
+        })?;
     }
+    let dim = common.dimension();
     let column = NamedColumn::numbers(name, numbers.iter().map(|number| number.value).collect());
     Ok(match dim.unit(unit) {
         Some(unit) => column.with_unit(unit),

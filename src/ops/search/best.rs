@@ -1,7 +1,7 @@
 //! `minimize` and `maximize`: where a function is best, within bounds and under conditions.
 
 use super::{
-    MOST_LABELS, SearchRange, no_derivatives, number_at, six_digits,
+    MOST_LABELS, SearchRange, no_derivatives, number_at, six_digits, take,
     unknowns::{Unknowns, asked, from_here, is_without_value, number, numbers, single},
 };
 use crate::{
@@ -11,7 +11,7 @@ use crate::{
         tolerance::{CONDITION_RELATIVE, POLE_STEP_RELATIVE},
     },
     value::{
-        Callback, Ctx, Dimension, FromValue, IntoValue, Number, Real, Record, Relation, Value,
+        Callback, CommonDimension, Ctx, FromValue, IntoValue, Number, Real, Record, Relation, Value,
     },
 };
 
@@ -61,7 +61,7 @@ impl BestSearch {
     }
 
     fn of_one(&self, ctx: &mut Ctx<'_>, range: &SearchRange, better: Better) -> Result<Value> {
-        let (mut dim, mut n_asked) = (None, 0_usize);
+        let (mut dim, mut n_asked) = (CommonDimension::default(), 0_usize);
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         let sign = better.sign();
         let found = find_least(
@@ -77,7 +77,7 @@ impl BestSearch {
             let [from, to] = range.ends.map(|at| range.place_text(at));
             let message = format!(
                 "the function is {} everywhere within {from}..{to}",
-                six_digits(least, dim)
+                six_digits(least, dim.known())
             );
             return Diagnostic::error(Code::NoAnswer, self.f.span, message)
                 .label("so no place is better than another")
@@ -85,8 +85,8 @@ impl BestSearch {
                 .fail();
         }
         self.check_bounded(ctx, range, (found.at, found.value), (better, &mut dim))?;
-        let value = Number { value: sign * found.value, dim: dim.unwrap_or_default() };
-        let place = range.found_by(dim).place(found.at).into_value();
+        let value = Number { value: sign * found.value, dim: dim.dimension() };
+        let place = range.found_by(dim.known()).place(found.at).into_value();
         Ok(self.answer(place, value, (n_asked, "none")))
     }
 
@@ -96,7 +96,7 @@ impl BestSearch {
         ctx: &mut Ctx<'_>,
         range: &SearchRange,
         (at, least): (f64, f64),
-        (better, dim): (Better, &mut Option<Dimension>),
+        (better, dim): (Better, &mut CommonDimension),
     ) -> Result<()> {
         let [from, to] = range.ends;
         let step = POLE_STEP_RELATIVE * (to - from);
@@ -168,7 +168,17 @@ impl BestSearch {
             (None, None) => unreachable!("a search has a range or a start"),
         };
         let bounds = unknowns.bounds(self.within.as_ref())?;
-        let mut asking = Asking { ctx, f: &self.f, conditions, better, dim: None, known: None };
+        if let Some(start) = &self.start {
+            unknowns.check_inside(&bounds, start.span)?;
+        }
+        let mut asking = Asking {
+            ctx,
+            f: &self.f,
+            conditions,
+            better,
+            dim: CommonDimension::default(),
+            known: None,
+        };
         // The first question tells what there is, and its mistakes are the script's.
         asking.ask(&unknowns.with(&unknowns.values))?;
         let n_equations = asking.known.as_ref().map_or(0, |(_, n_equations)| *n_equations);
@@ -182,8 +192,7 @@ impl BestSearch {
         if found.end != LeastEnd::Settled {
             return asking.refusal(&unknowns, &found).fail();
         }
-        let value =
-            Number { value: better.sign() * found.values[0], dim: asking.dim.unwrap_or_default() };
+        let value = Number { value: better.sign() * found.values[0], dim: asking.dim.dimension() };
         let gradients = if found.has_differences { "differences" } else { "exact" };
         let place = unknowns.found_by(value.dim).with(&found.unknowns);
         Ok(self.answer(place, value, (found.n_evaluations, gradients)))
@@ -206,7 +215,7 @@ struct Asking<'a, 'c> {
     conditions: &'a [Spanned<Callback>],
     better: Better,
     /// The dimension of the function's values.
-    dim: Option<Dimension>,
+    dim: CommonDimension,
     /// Where the conditions stand, equations first, each as often as it has numbers, and how many of them
     /// are equations.
     known: Option<(Vec<Span>, usize)>,
@@ -225,13 +234,8 @@ impl Asking<'_, '_> {
     /// The value that is to be least, then the equations, then what is not to be negative.
     fn ask(&mut self, place: &Value) -> Result<Vec<Real>> {
         let value = asked(self.ctx, &self.f.value, place)?;
-        let Number { value, dim } = number(&value, self.f.span)?;
-        let before = *self.dim.get_or_insert(dim);
-        let Some(common) = before.common(dim) else {
-            let message = format!("the function yields {dim} at {place} and {before} before");
-            return Diagnostic::error(Code::UnitMismatch, self.f.span, message).fail();
-        };
-        self.dim = Some(common);
+        let found = number(&value, self.f.span)?;
+        take(&mut self.dim, found.looked_at(), self.f.span, || place.looked_at().to_string())?;
         let (mut equations, mut others) = (Vec::new(), Vec::new());
         for condition in self.conditions {
             let callback = &condition.value.0;
@@ -268,7 +272,7 @@ impl Asking<'_, '_> {
             let span = self.conditions.first().map_or(self.f.span, |condition| condition.span);
             return Diagnostic::error(Code::WrongKind, span, message).fail();
         }
-        let value = value.scaled(self.better.sign());
+        let value = found.value.scaled(self.better.sign());
         Ok(std::iter::once(value).chain(reals).collect())
     }
 
@@ -295,7 +299,7 @@ impl Asking<'_, '_> {
             Better::Higher => ["grows", "greatest"],
         };
         let place = unknowns.rounded(&found.unknowns);
-        let best = six_digits(self.better.sign() * found.values[0], self.dim);
+        let best = six_digits(self.better.sign() * found.values[0], self.dim.known());
         let refused = |message| {
             Diagnostic::error(Code::NoAnswer, self.f.span, message)
                 .label(format!("the best place found is {place}, where it is {best}"))

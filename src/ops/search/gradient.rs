@@ -1,7 +1,7 @@
 //! `gradient`: the derivatives of a number by all that it depends on.
 
 use super::{
-    six_digits,
+    six_digits, take,
     unknowns::{Unknowns, asked, number},
 };
 use crate::{
@@ -10,7 +10,7 @@ use crate::{
         Slope, find_slope,
         tolerance::{SLOPE_RELATIVE, SLOPE_STEP_RELATIVE},
     },
-    value::{Callback, Ctx, Dimension, Value, op},
+    value::{Callback, CommonDimension, Ctx, Dimension, Value, op},
 };
 
 op! {
@@ -58,18 +58,18 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
             .fail();
     }
     let unknowns = Unknowns::new(&args.at)?;
-    let mut dim = Dimension::OPEN;
+    let (mut dim, span) = (CommonDimension::default(), args.f.span);
     if args.differences {
         let slopes = by_differences(ctx, &args.f, &unknowns, &mut dim)?;
-        return quotient(&unknowns, &slopes, dim, args.f.span);
+        return quotient(&unknowns, &slopes, dim.dimension(), span);
     }
     let found = unknowns.with_gradients(&unknowns.values, |place| {
-        let found = number(&asked(ctx, &args.f.value, place)?, args.f.span)?;
-        dim = found.dim;
+        let found = number(&asked(ctx, &args.f.value, place)?, span)?;
+        take(&mut dim, found.looked_at(), span, || place.looked_at().to_string())?;
         Ok(vec![found.value])
     })?;
     let slopes = found.gradients.unwrap_or_default().concat();
-    quotient(&unknowns, &slopes, dim, args.f.span)
+    quotient(&unknowns, &slopes, dim.dimension(), span)
 }
 
 /// The derivatives with their dimensions.
@@ -85,7 +85,7 @@ fn by_differences(
     ctx: &mut Ctx<'_>,
     f: &Spanned<Callback>,
     unknowns: &Unknowns,
-    dim: &mut Dimension,
+    dim: &mut CommonDimension,
 ) -> Result<Vec<f64>> {
     let values = &unknowns.values;
     let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -97,8 +97,9 @@ fn by_differences(
         let mut ask = |at: f64| -> Result<f64> {
             let mut moved = values.clone();
             moved[idx] = at;
-            let found = number(&asked(ctx, &f.value, &unknowns.with(&moved))?, f.span)?;
-            *dim = found.dim;
+            let place = unknowns.with(&moved);
+            let found = number(&asked(ctx, &f.value, &place)?, f.span)?;
+            take(dim, found.looked_at(), f.span, || place.to_string())?;
             most = most.max(found.value.value().abs());
             Ok(found.value.value())
         };

@@ -42,6 +42,7 @@ op! {
     example "maximize(t => sin(t), within = 0deg..180deg) ~= 90deg within 1e-6" => "true";
     example "maximize(u => u.a * u.b, start = {a: 1, b: 1}, subject = u => u.a + 2*u.b <= 8).a ~= 4 within 1e-6" => "true";
     refuses "maximize(p => p.x, start = (0, 0))" => "E0504: the function grows without bound";
+    refuses "maximize(x => x, within = 0..<5)" => "E0502: a search looks at both ends of its range, and 0..<5 leaves one out";
     refuses "maximize(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 

@@ -48,6 +48,8 @@ op! {
     refuses "minimize(p => p.x, start = (0, 0))" => "E0504: the function falls without bound";
     refuses "minimize(p => p.x, start = (5, 0), subject = p => p.x <= 1 and p.x >= 2)" => "E0504: the conditions do not hold together near the start";
     refuses "minimize(x => 5, within = 0..2)" => "E0504: the function is 5 everywhere within 0..2";
+    refuses "minimize(u => u.a^2, start = {a: 9}, within = {a: 2..5})" => "E0502: the start is outside of `within`";
+    refuses "minimize(u => u.r/1deg + u.x, start = {r: 10deg, x: 1}, within = {r: 0..45})" => "E0303: a bound is a number without a unit, the unknown is an angle";
     refuses "minimize(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 

@@ -1,6 +1,7 @@
 //! Searches: roots, least and greatest values, integrals and trajectories of functions of the script.
 
 mod best;
+mod bounds;
 mod gradient;
 mod integrate;
 mod maximize;
@@ -14,8 +15,8 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Interval, tolerance::PARAMETER_RELATIVE},
     value::{
-        At, CARRIES_DERIVATIVES, Callback, Ctx, Dimension, IntoValue, Number, Op, Range, Value,
-        rounded,
+        At, BARE_AND_ANGLE, CARRIES_DERIVATIVES, Callback, CommonDimension, Ctx, Dimension,
+        IntoValue, Number, Op, Range, Value, rounded,
     },
 };
 
@@ -32,8 +33,19 @@ impl SearchRange {
     /// The interval of a range.
     ///
     /// # Errors
-    /// A range that is backwards or a single place, or whose ends do not go together.
+    /// A range that is backwards or a single place, whose ends do not go together, or which leaves its end out: what
+    /// is found may be that end.
     fn new(range: Spanned<Range>) -> Result<Self> {
+        if !range.value.closed {
+            let message = format!(
+                "a search looks at both ends of its range, and {} leaves one out",
+                range.value
+            );
+            let closed = Range { closed: true, ..range.value };
+            return Diagnostic::error(Code::Domain, range.span, message)
+                .hint(format!("write `{closed}`, or end it before"))
+                .fail();
+        }
         let (Range { start, end, .. }, dim) = (range.value, Self::dimension(&range)?);
         let interval = Interval::new(start.value, end.value);
         interval.at(range.span)?;
@@ -80,7 +92,7 @@ fn found_dimension(own: Dimension, by: Dimension) -> Dimension {
     if is_open { Dimension::OPEN } else { own }
 }
 
-/// What a function yields at a place of a range; `dim` becomes the dimension of its values.
+/// What a function yields at a place of a range.
 fn value_at(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
@@ -106,23 +118,30 @@ fn number_at(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
     range: &SearchRange,
-    (at, dim): (f64, &mut Option<Dimension>),
+    (at, dim): (f64, &mut CommonDimension),
 ) -> Result<f64> {
     let value = value_at(ctx, function, range, at)?;
     let number = unknowns::number(&value, function.span)?.looked_at();
-    let before = *dim.get_or_insert(number.dim);
-    match before.common(number.dim) {
-        Some(common) => *dim = Some(common),
-        None => {
-            let message = format!(
-                "the function yields {} at {} and {before} before",
-                number.dim,
-                range.place_text(at)
-            );
-            return Diagnostic::error(Code::UnitMismatch, function.span, message).fail();
-        }
-    }
+    take(dim, number, function.span, || range.place_text(at))?;
     Ok(number.value)
+}
+
+/// Takes a number that a function yields at a place into the dimension of its values.
+///
+/// # Errors
+/// A number that does not go with those before.
+fn take(
+    dim: &mut CommonDimension,
+    number: Number,
+    span: Span,
+    place: impl FnOnce() -> String,
+) -> Result<()> {
+    dim.take(number).map_err(|[before, own]| {
+        let message = format!("the function yields {own} at {} and {before} before", place());
+        let found = Diagnostic::error(Code::UnitMismatch, span, message);
+        let is_bare = own.is_bare() || before.is_bare();
+        Box::new(if is_bare { found.hint(BARE_AND_ANGLE) } else { found })
+    })
 }
 
 /// A number without derivatives.

@@ -11,7 +11,10 @@ use crate::{
         GeomError, LocalError, RootError, RootProof, Sample, find_crossing, find_root, find_roots,
         tolerance::DIFFERENCE_RELATIVE,
     },
-    value::{At, Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, op},
+    value::{
+        At, Callback, CommonDimension, Ctx, Dimension, IntoValue, Number, Range, Real, Record,
+        Value, op,
+    },
 };
 
 op! {
@@ -26,7 +29,8 @@ op! {
     /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
     /// tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
-    /// places at equal distances tell apart, and is refused where more than every fourth part between them holds one.
+    /// places at equal distances tell apart, a jump over zero is passed over as well, and it is refused where more than every
+    /// fourth part between them holds one.
     /// Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
     /// *Introduction to Interval Analysis*, §8.1.
     ///
@@ -47,13 +51,15 @@ op! {
         start: Option<Spanned<Value>>,
         /// Whether all roots are wanted, as a list; without it one is.
         all: bool = false,
-        /// Whether a record tells how it was found: `root`, the `residual` there, `evaluations`, and whether it
-        /// is `proven`: that a root is there, and with `all` that there is no other.
+        /// Whether a record tells how it was found: `root`, the `residual` there, of several numbers the largest, with a
+        /// unit where they have one together, `evaluations`, and whether it is `proven`: that a root is there, and
+        /// with `all` that there is no other.
         report: bool = false,
     }
     example "solve(x => x^2 - 2, within = 0..2) ~= sqrt(2)" => "true";
     example "solve(x => sin(x), within = 1..10, all = true)" => "[3.141592653589793, 6.283185307179586, 9.42477796076938]";
     example "solve(x => (x^2 - 2)^2, within = 0..3, all = true) ~= [sqrt(2)]" => "true";
+    example "solve(x => if x < 1 then -1 - norm((x, 0))^2 else 3 - x, within = 0..5, all = true)" => "[3]";
     example "\"{solve(r => pi * r^2 - 12cm * 1cm, within = 0mm..10cm):.3mm}\"" => "\"19.544mm\"";
     example "solve(x => x^3 - 8, within = 0..5, report = true).evaluations < 20" => "true";
     example "[for r in solve(x => x^3 - 2*x + sin(x) - 0.2, within = -2..2, all = true, report = true): r.proven]" => "[true, true, true]";
@@ -66,6 +72,7 @@ op! {
     refuses "solve(x => 1/(x - 0.3), within = 0..1)" => "E0504: the function changes its sign at 0.3 without being 0 there";
     refuses "solve(x => max(x, 1) - 1, within = 0..2)" => "E0504: the function is 0 all along 0..0.02, not at one place";
     refuses "solve(x => x^2 - 1, start = 2, all = true)" => "E0401: `solve` finds one root from a start; all of them are found within a range";
+    refuses "solve(x => x - 5, within = 0..<5)" => "E0502: a search looks at both ends of its range, and 0..<5 leaves one out";
     refuses "solve(x => x, within = 2..1)" => "E0606: an interval needs its start below its end, got 2..1";
 }
 
@@ -80,11 +87,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
                 .fail()
         }
         (None, Some(start)) => {
-            let (root, found) = solved(ctx, &args.f, &start)?;
-            let residual =
-                found.residuals.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let (root, found, dim) = solved(ctx, &args.f, &start)?;
+            let value = found.residuals.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+            let residual = Number { value, dim }.into_value();
             Ok(if args.report {
-                told_as_found(root, Value::number(residual), found.n_evaluations, false)
+                told_as_found(root, residual, found.n_evaluations, false)
             } else {
                 root
             })
@@ -124,7 +131,7 @@ fn within_range(
     let bounded = ctx.caller.bounded(&function.value.0);
     let bounds = |interval| bounded.as_ref()?.over(interval);
     let mut proof = (is_all || is_report).then(|| RootProof::of(bounds, range.ends));
-    let (mut n_asked, mut dim) = (0_usize, None);
+    let (mut n_asked, mut dim) = (0_usize, CommonDimension::default());
     let mut ask = |at| {
         n_asked += 1;
         number_at(ctx, function, &range, (at, &mut dim))
@@ -150,7 +157,7 @@ fn within_range(
         Err(err) => {
             let is_nowhere = matches!(err, RootError::NoRoot { .. })
                 && proof.is_some_and(|it| it.is_whole() && it.brackets.is_empty());
-            return Err(refusal(err, function, &range, (dim, is_nowhere)));
+            return Err(refusal(err, function, &range, (dim.known(), is_nowhere)));
         }
     };
     let is_proven = |root: &Sample| {
@@ -159,7 +166,7 @@ fn within_range(
             if is_all { proof.is_whole() } else { proof.brackets.iter().any(is_in) }
         })
     };
-    let found_range = range.found_by(dim);
+    let found_range = range.found_by(dim.known());
     let mut places = Vec::with_capacity(roots.len());
     for root in &roots {
         places.push(match ctx.caller.is_varying(&function.value.0) {
@@ -168,7 +175,7 @@ fn within_range(
         });
     }
     let value = |(root, place): (&Sample, Value)| {
-        let residual = Number { value: root.value, dim: dim.unwrap_or_default() }.into_value();
+        let residual = Number { value: root.value, dim: dim.dimension() }.into_value();
         match is_report {
             true => told_as_found(place, residual, n_asked, is_proven(root)),
             false => place,

@@ -14,19 +14,20 @@ use crate::{
             DIFFERENCE_RELATIVE, ROOT_BESIDE_RELATIVE, SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE,
         },
     },
-    value::{At, Callback, Ctx, Dimension, Real, Value},
+    value::{At, Callback, CommonDimension, Ctx, Dimension, Real, Value},
 };
 
-/// The unknowns near the start, and how they were found.
+/// The unknowns near the start, how they were found, and the dimension of what is to be zero, where all of it has one.
 pub(super) fn solved(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
     start: &Spanned<Value>,
-) -> Result<(Value, LeastSquares)> {
+) -> Result<(Value, LeastSquares, Dimension)> {
     let is_varying = ctx.caller.is_varying(&function.value.0);
     // Where the search begins has no part in where the root is.
     let unknowns = Unknowns::new(&Spanned::new(without_derivatives(&start.value), start.span))?;
     let (n_residuals, mut dim) = (Cell::new(0), Dimension::NONE);
+    let (mut common, mut is_mixed) = (CommonDimension::default(), false);
     let mut ask = |place: &Value| {
         let value = asked(ctx, &function.value, place)?;
         let mut all = Vec::new();
@@ -43,6 +44,7 @@ pub(super) fn solved(
             );
             return Diagnostic::error(Code::WrongKind, function.span, message).fail();
         }
+        is_mixed |= all.iter().any(|number| common.take(number.looked_at()).is_err());
         if all.iter().any(|number| number.dim.length_power().is_none()) {
             dim = Dimension::OPEN;
         }
@@ -81,7 +83,8 @@ pub(super) fn solved(
             true => varying(&unknowns, &found, (start.span, function.span), &mut ask)?,
             false => found.unknowns.iter().copied().map(Real::Plain).collect(),
         };
-        return Ok((unknowns.found_by(dim).with_reals(&reals), found));
+        let of_residuals = if is_mixed { Dimension::NONE } else { common.dimension() };
+        return Ok((unknowns.found_by(dim).with_reals(&reals), found, of_residuals));
     }
     no_root(&unknowns, &found, start.span, is_small)
 }

@@ -2,10 +2,13 @@
 
 use std::{ops, sync::Arc};
 
-use super::{SearchRange, six_digits};
+use super::{
+    bounds::{FREE, bound, middle, take_apart},
+    six_digits,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Answers, Jet, Wanted, glam::DVec3},
+    kernel::{Answers, Jet, Wanted},
     value::{Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, Vector},
 };
 
@@ -57,6 +60,23 @@ impl Unknowns {
             None => bounds.resize(self.values.len(), FREE),
         }
         Ok(bounds)
+    }
+
+    /// That the unknowns lie between their bounds.
+    ///
+    /// # Errors
+    /// One that does not.
+    pub(super) fn check_inside(&self, bounds: &[[f64; 2]], span: Span) -> Result<()> {
+        let is_outside = |(value, [low, high]): (&f64, &[f64; 2])| value < low || high < value;
+        if !self.values.iter().zip(bounds).any(is_outside) {
+            return Ok(());
+        }
+        let moved =
+            self.values.iter().zip(bounds).map(|(value, ends)| value.clamp(ends[0], ends[1]));
+        let inside = self.with(&moved.collect::<Vec<f64>>());
+        Diagnostic::error(Code::Domain, span, "the start is outside of `within`")
+            .hint(format!("the nearest place inside is {inside}"))
+            .fail()
     }
 
     /// The same unknowns, found by numbers of this dimension: those without a unit are open where these are.
@@ -152,9 +172,6 @@ impl Unknowns {
     }
 }
 
-/// Bounds of what nothing bounds.
-const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-
 /// What a function yields at a place.
 ///
 /// # Errors
@@ -229,17 +246,6 @@ pub(super) fn number(value: &Value, span: Span) -> Result<Number<Real>> {
     }
 }
 
-fn take_apart(value: &Value, values: &mut Vec<f64>) -> bool {
-    match value {
-        Value::Number(number) => values.push(number.value),
-        Value::Point(point) => values.extend(point.to_array()),
-        Value::List(items) => return items.iter().all(|item| take_apart(item, values)),
-        Value::Record(record) => return record.iter().all(|(_, value)| take_apart(value, values)),
-        _ => return false,
-    }
-    true
-}
-
 fn put_together(shape: &Value, values: &mut dyn Iterator<Item = Real>) -> Value {
     match shape {
         Value::Number(number) => {
@@ -295,93 +301,6 @@ fn quotient(value: &Value, dim: Dimension) -> Option<Value> {
         }
         other => other.clone(),
     })
-}
-
-/// The number in the middle of each range.
-fn middle(within: &Value, span: Span) -> Result<Value> {
-    Ok(match within {
-        Value::Range(range) => {
-            let range = SearchRange::new(Spanned::new(*range, span))?;
-            range.place(range.ends[0] + 0.5 * (range.ends[1] - range.ends[0])).into_value()
-        }
-        Value::List(items) => {
-            let items: Vec<Value> =
-                items.iter().map(|item| middle(item, span)).collect::<Result<_>>()?;
-            Value::list(items)
-        }
-        Value::Record(record) => {
-            let field = |(label, value): (&str, &Value)| -> Result<(Arc<str>, Value)> {
-                Ok((Arc::from(label), middle(value, span)?))
-            };
-            let fields = record.iter().map(field).collect::<Result<Vec<_>>>()?;
-            Value::Record(Arc::new(Record::new(fields)))
-        }
-        other => return no_bounds(&format!("found {}", other.phrase()), span),
-    })
-}
-
-/// The bounds of the unknowns of a shape.
-fn bound(shape: &Value, within: &Value, span: Span, bounds: &mut Vec<[f64; 2]>) -> Result<()> {
-    match (shape, within) {
-        (Value::Number(number), Value::Range(range)) => {
-            let range = SearchRange::new(Spanned::new(*range, span))?;
-            if number.dim.common(range.dim).is_none() {
-                let message =
-                    format!("the bounds are {}, the unknown is {}", range.dim, number.dim);
-                return Diagnostic::error(Code::UnitMismatch, span, message).fail();
-            }
-            bounds.push(range.ends);
-        }
-        (Value::Point(point), Value::Range(_)) => {
-            for part in point.to_array() {
-                bound(&Value::number(part), within, span, bounds)?;
-            }
-        }
-        (Value::Point(DVec3 { x, y, z }), Value::List(ranges)) if ranges.len() <= 3 => {
-            for (idx, part) in [*x, *y, *z].into_iter().enumerate() {
-                match ranges.get(idx) {
-                    Some(range) => bound(&Value::number(part), &range, span, bounds)?,
-                    None => bounds.push(FREE),
-                }
-            }
-        }
-        (Value::List(items), Value::Range(_)) => {
-            items.iter().try_for_each(|item| bound(item, within, span, bounds))?;
-        }
-        (Value::Record(record), Value::Range(_)) => {
-            record.iter().try_for_each(|(_, value)| bound(value, within, span, bounds))?;
-        }
-        (Value::List(items), Value::List(ranges)) if items.len() == ranges.len() => {
-            let mut pairs = items.iter().zip(ranges.iter());
-            pairs.try_for_each(|(item, range)| bound(item, range, span, bounds))?;
-        }
-        (Value::Record(record), Value::Record(ranges)) => {
-            if let Some((label, _)) = ranges.iter().find(|(label, _)| record.get(label).is_none()) {
-                return no_bounds(&format!("there is no unknown `{label}`"), span);
-            }
-            for (label, value) in record.iter() {
-                match ranges.get(label) {
-                    Some(range) => bound(value, range, span, bounds)?,
-                    None => {
-                        let mut values = Vec::new();
-                        take_apart(value, &mut values);
-                        bounds.resize(bounds.len() + values.len(), FREE);
-                    }
-                }
-            }
-        }
-        (shape, within) => {
-            return no_bounds(&format!("found {} for {}", within.phrase(), shape.phrase()), span);
-        }
-    }
-    Ok(())
-}
-
-fn no_bounds<T>(found: &str, span: Span) -> Result<T> {
-    let message = format!("`within` takes a range for each unknown, {found}");
-    Diagnostic::error(Code::WrongKind, span, message)
-        .hint("one range for all of them, or a list or record of ranges like the start: `within = {beam: 2m..4m, draft: 0.5m..2m}`")
-        .fail()
 }
 
 /// The ends of a single range.

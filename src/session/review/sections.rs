@@ -210,7 +210,8 @@ impl Telling<'_> {
             }
             value => {
                 let format = NumberFormat::new(self.decimals, None, self.unit()).ok();
-                let rounded = self.decimals.and(format).and_then(|it| it.text(value).ok());
+                let decimals = self.decimals.filter(|_| !is_count(value));
+                let rounded = decimals.and(format).and_then(|it| it.text(value).ok());
                 let told = rounded.unwrap_or_else(|| printed.value_text());
                 let row = vec![code(&printed.source), code(&cut(&told))];
                 add_row(&["Quantity", "Value"], row, blocks);
@@ -373,4 +374,9 @@ pub(super) fn document_file(event: &Event) -> Option<&File> {
         Event::File(file) if file.format.takes_documents() => Some(file),
         _ => None,
     }
+}
+
+/// Whether a value is a whole number without a unit, which counts something.
+fn is_count(value: &Value) -> bool {
+    matches!(value, Value::Number(number) if number.dim.is_bare() && number.value.fract() == 0.0)
 }

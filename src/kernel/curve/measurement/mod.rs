@@ -13,3 +13,4 @@ pub(super) mod local;
 pub(super) mod measure;
 pub(super) mod planar;
 pub(super) mod same_places;
+pub(super) mod smooth;

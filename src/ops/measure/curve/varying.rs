@@ -128,6 +128,7 @@ pub(super) fn signed_curvature(d: &[Vector], axis: DVec3, value: f64) -> Measure
 /// The arc length up to a parameter that varies, which is `value` at its value: the integral of the series
 /// of |C'|.
 fn length_up_to(curve: &RealCurve, t: &Jet, value: f64) -> Measured<Jet> {
+    check_speed(curve, t, t.value())?;
     let side = if t.is_growing() { Side::Right } else { Side::Left };
     let speeds = speeds(curve, t.value(), side, t.order())?;
     let mut series = vec![value];
@@ -147,6 +148,23 @@ fn speeds(curve: &RealCurve, t: f64, side: Side, n: usize) -> Measured<Vec<f64>>
         speed.derivative(k, 0) / factorial
     };
     Ok((0..n).map(coefficient).collect())
+}
+
+/// # Errors
+/// [`LocalError::NotDifferentiable`] where the speed jumps at a parameter that `jet` moves.
+fn check_speed(curve: &RealCurve, jet: &Jet, t: f64) -> Measured<()> {
+    if !jet.goes_both_ways() || curve.is_smooth_at(t, 1) {
+        return Ok(());
+    }
+    let [before, behind] =
+        [Side::Left, Side::Right].map(|side| curve.derivatives_beside(t, side, 1));
+    let [before, behind] = [before?[1].length(), behind?[1].length()];
+    match LAST_BIT.sqrt() * before.max(behind) < (before - behind).abs() {
+        true => {
+            Err(LocalError::NotDifferentiable { what: "the length along the curve", at: t }.into())
+        }
+        false => Ok(()),
+    }
 }
 
 /// The arc length between two parameters, which is `value` between their values.
@@ -169,6 +187,7 @@ pub(super) fn length(curve: &RealCurve, [from, to]: [&Real; 2], value: f64) -> M
 pub(super) fn parameter_at_length(curve: &RealCurve, length: &Real, t: f64) -> Measured<Real> {
     let Some(like) = curve.jet_of(length)? else { return Ok(Real::Plain(t)) };
     let length = length.like(&like);
+    check_speed(curve, &length, t)?;
     let side = if length.is_growing() { Side::Right } else { Side::Left };
     let speed = speeds(curve, t, side, 1)?.first().copied().unwrap_or(0.0);
     let start = Real::Plain(curve.domain().start());
@@ -198,13 +217,22 @@ pub(super) fn closest(curve: &RealCurve, p: &Vector, t: f64) -> Measured<Real> {
     if is_at_end {
         return Ok(Real::Jet(like.same(t)));
     }
+    if !curve.is_smooth_at(t, 2) {
+        let before = curve.derivatives_beside(t, Side::Left, 2)?;
+        let arriving = way.dot(before[1]);
+        // It stays at a corner that it is held at from both sides.
+        if arriving < -LAST_BIT.sqrt() * (before[1].length() * way.length()) && rounding < slope {
+            return Ok(Real::Jet(like.same(t)));
+        }
+        let bends = [&before, &at_place].map(|d| d[1].dot(d[1]) + way.dot(d[2]));
+        let is_even = (bends[0] - bends[1]).abs() <= LAST_BIT.sqrt() * bends[0].abs();
+        if !is_even || !curve.is_smooth_at(t, 1) {
+            return Err(no_nearest(t));
+        }
+    }
     let bend = at_place[1].dot(at_place[1]) + way.dot(at_place[2]);
     if bend <= LAST_BIT.sqrt() * speed * speed {
-        return Err(LocalError::NotDifferentiable {
-            what: "the nearest place of the curve",
-            at: t,
-        }
-        .into());
+        return Err(no_nearest(t));
     }
     let mut found = like.same(t);
     for _ in 0..like.order() {
@@ -251,6 +279,10 @@ fn tangent_inside(curve: &RealCurve, t: f64) -> Measured<DVec3> {
     let is_inside = domain.start() < t && t < domain.end();
     let is_smooth = before.distance(behind) <= LAST_BIT.sqrt() * before.length();
     if is_inside && is_smooth { Ok(behind) } else { Err(no_crossing(t)) }
+}
+
+fn no_nearest(at: f64) -> GeomError {
+    LocalError::NotDifferentiable { what: "the nearest place of the curve", at }.into()
 }
 
 fn no_crossing(at: f64) -> GeomError {

@@ -1,7 +1,7 @@
 //! The function under an integral, and integrals over one number.
 
 use super::{
-    super::{six_digits, unknowns},
+    super::{six_digits, take, unknowns},
     found::{Found, Tolerances},
     moving_cuts::{MovingCuts, SeenPlace},
 };
@@ -12,15 +12,17 @@ use crate::{
         ceiling::{INTEGRAL_EVALUATIONS, INTEGRAL_LOOKS_OF_SEVERAL},
         find_sized_integral,
     },
-    value::{Callback, Ctx, Dimension, Number, Real, Value},
+    value::{Callback, CommonDimension, Ctx, Dimension, Number, Real, Value},
 };
 
 /// A function of the script under the integral.
 pub(super) struct Integrand<'a, 'c> {
     ctx: &'a mut Ctx<'c>,
     f: &'a Spanned<Callback>,
-    /// Of how many components its values are, and of which dimension.
-    known: Option<(usize, Dimension)>,
+    /// Of how many components its values are.
+    n_parts: Option<usize>,
+    /// The dimension of all that it yielded.
+    dim: CommonDimension,
     /// What its derivatives are by, where it has any.
     pub(super) like: Option<Jet>,
     /// How often it was asked.
@@ -34,7 +36,16 @@ pub(super) struct Integrand<'a, 'c> {
 impl<'a, 'c> Integrand<'a, 'c> {
     pub(super) fn new(ctx: &'a mut Ctx<'c>, f: &'a Spanned<Callback>) -> Self {
         let varies = ctx.caller.is_varying(&f.value.0);
-        Self { ctx, f, known: None, like: None, n_asked: 0, varies, carried: None }
+        Self {
+            ctx,
+            f,
+            n_parts: None,
+            dim: CommonDimension::default(),
+            like: None,
+            n_asked: 0,
+            varies,
+            carried: None,
+        }
     }
 
     /// Lets it answer with the coefficients of all derivatives.
@@ -63,9 +74,9 @@ impl<'a, 'c> Integrand<'a, 'c> {
         IntegralRange { span: self.span(), ends, carried, can_move: false, n_looks }
     }
 
-    /// The dimension of its values.
+    /// The dimension of its values, wherever it was asked.
     pub(super) fn dimension(&self) -> Dimension {
-        self.known.map_or(Dimension::NONE, |(_, dim)| dim)
+        self.dim.dimension()
     }
 
     /// The components at a place, times a factor; with what decided, where derivatives are carried along.
@@ -123,20 +134,16 @@ impl<'a, 'c> Integrand<'a, 'c> {
     /// # Errors
     /// Values of other kinds or dimensions than before.
     fn check(&mut self, parts: &[Number<Real>], value: &Value, args: &[Value]) -> Result<()> {
-        let dim = parts.first().map_or(Dimension::NONE, |part| part.dim);
-        let (n_before, dim_before) = *self.known.get_or_insert((parts.len(), dim));
-        if n_before != parts.len() {
+        if *self.n_parts.get_or_insert(parts.len()) != parts.len() {
             let (what, place) = (value.phrase(), place(args));
             let message =
                 format!("the function yields {what} at {place}, and something else before");
             return Diagnostic::error(Code::WrongKind, self.f.span, message).fail();
         }
-        if dim_before.common(dim).is_none() {
-            let place = place(args);
-            let message = format!("the function yields {dim} at {place} and {dim_before} before");
-            return Diagnostic::error(Code::UnitMismatch, self.f.span, message).fail();
-        }
-        Ok(())
+        let (dim, span) = (&mut self.dim, self.f.span);
+        parts
+            .iter()
+            .try_for_each(|part| take(dim, part.looked_at(), span, || place(args).to_string()))
     }
 }
 

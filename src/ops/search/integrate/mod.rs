@@ -56,6 +56,7 @@ op! {
     example "integrate(t => sqrt(1 - t^2), -1..1) ~= pi/2" => "true";
     example "integrate(t => (t, 1), 0..2) ~= (2, 2)" => "true";
     example "integrate(x => 2cm, 0cm..30mm) == 3cm * 2cm" => "true";
+    example "\"{integrate(s => if s < 1cm then 0 else 2mm, 0cm..2cm):.1cm^2}\"" => "\"0.2cm^2\"";
     example "integrate((x, y) => x * y^2, [0..1, 0..3]) ~= 4.5" => "true";
     example "integrate(p => p.y^2, circle((0, 0), 2)) ~= 8*pi" => "true";
     example "integrate(p => p.x^2, region(circle((0, 0), 2))) ~= 4*pi" => "true";

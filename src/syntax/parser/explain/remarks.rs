@@ -3,6 +3,7 @@
 use super::missing::NO_STEP;
 use crate::diag::{Code, Diagnostic, Fix, Span};
 use crate::syntax::ast::Name;
+use crate::syntax::is_name;
 use crate::syntax::parser::body::StatementContext;
 use crate::syntax::parser::input::{Input, here};
 use crate::syntax::parser::parsed_script::ParsedScript;
@@ -94,9 +95,11 @@ pub(crate) fn quoted_label(input: &mut Input<'_, '_, '_>) -> Diagnostic {
     let script = input.state();
     let text = script.text(at).trim_matches('"');
     let message = "the label of a record stands without quotes";
-    Diagnostic::error(Code::Syntax, script.span(at), message)
-        .label(format!("did you mean `{text}:`?"))
-        .fix(Fix::replace(script.span(at), text))
+    let found = Diagnostic::error(Code::Syntax, script.span(at), message);
+    if !is_name(text) {
+        return found.hint("a label is one word, of letters, digits and `_`");
+    }
+    found.label(format!("did you mean `{text}:`?")).fix(Fix::replace(script.span(at), text))
 }
 
 /// A parenthesis with none or with more than three parts.

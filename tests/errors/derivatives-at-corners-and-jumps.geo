@@ -1,0 +1,8 @@
+let bend = polyline((0, 0), (1, 0), (1, 2))
+print gradient(t => bend(t).x, 1)
+print gradient(x => length(bend, range = 0..x), 1)
+print gradient(p => closest(bend, p).point.y, (2, 0))
+print gradient(x => floor(x), 1)
+print gradient(x => ceil(2 * x), 1)
+print gradient(x => round(x, 1), 0.25)
+print gradient(x => sign(x), 0)
