@@ -476,8 +476,11 @@ fn a_text_is_what_stands_there() {
         let (_, err, code) = study(&scratch, &[args, &["-o", "r.csv", "--want", "told"]].concat());
         assert_eq!(code, 0, "{err}");
         let results = fs::read_to_string(scratch.0.join("r.csv")).expect("results");
-        let cell = |line: &str| line.split_once('[').and_then(|(_, rest)| rest.split_once(','));
-        results.lines().filter_map(|line| Some(cell(line)?.0.to_owned())).collect::<Vec<_>>()
+        let cell = |line: &str| {
+            let (_, rest) = line.split_once('[')?;
+            rest.split(',').next().map(str::to_owned)
+        };
+        results.lines().filter_map(cell).collect::<Vec<_>>()
     };
     assert_eq!(told_of(&["plan.csv"]), [" c ]2", "]1", "x]3", " d]1"]);
     assert_eq!(told_of(&["--vary", "name= c "]), [" c ]1"]);
