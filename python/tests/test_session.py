@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import errno
 import os
 import pickle
@@ -71,6 +72,13 @@ def test_exceptions_go_from_process_to_process(wing: Path) -> None:
         virote.run(wing, {"span": "25m"}).raise_for_checks()
     again = pickle.loads(pickle.dumps(failed.value))
     assert str(again) == str(failed.value) and again.checks == failed.value.checks
+
+
+def test_results_tell_what_to_send_in_their_place() -> None:
+    results = virote.Session().run_text("let a = 1")
+    with pytest.raises(TypeError, match="send the script and its parameters"):
+        pickle.dumps(results)
+    assert copy.copy(results)["a"] == copy.deepcopy(results)["a"] == 1
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="a folder where nothing is made")

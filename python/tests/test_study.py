@@ -50,6 +50,14 @@ def test_every_plan_gives_the_same_rows(script: Path, tmp_path: Path) -> None:
     assert [row["id"] for row in found[0]] == [1, 2, 3, 4, 5, 6]
 
 
+def test_texts_are_taken_as_they_stand(tmp_path: Path) -> None:
+    path = tmp_path / "a.geo"
+    path.write_text('param name = "x"\nlet told = "[{name}]"\n')
+    for plan in ([{"name": " c "}, {"name": ""}, {"name": None}], {"name": [" c ", "", None]}):
+        rows = virote.study(path, plan, workers=1, want="told", progress=False)
+        assert list(rows.column("told")) == ["[ c ]", "[]", "[x]"]
+
+
 def test_dataframes_are_plans_and_results(script: Path) -> None:
     pd = pytest.importorskip("pandas")
     plan = pd.DataFrame({"id": ["a", "b"], "width [mm]": [5.0, 50.0], "n": [1, 2]})
@@ -65,7 +73,7 @@ def test_dataframes_are_plans_and_results(script: Path) -> None:
     [
         ([], ValueError, "no rows"),
         ([{"widht": 1}], ValueError, "did you mean `width`"),
-        ([{"n": 1}, {"width": 2}], ValueError, "row 1 of the plan"),
+        ([{"n": 1}, {"width": 2}], ValueError, "row 2 of the plan"),
         ([1], TypeError, "dictionary"),
         ({"n": [1, 2], "width": [1]}, ValueError, "not of one length"),
         ({"n": "1..2:3"}, TypeError, "list of values"),

@@ -55,6 +55,18 @@ class Results(_Values):
     def __contains__(self, name: object) -> bool:
         return name in self._names
 
+    def __copy__(self) -> Results:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Results:
+        # What became of a script never changes.
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError(
+            "a virote.Results cannot be pickled; send the script and its parameters, or the numbers and texts that are needed"
+        )
+
     def __repr__(self) -> str:
         return f"<virote.Results of {self.script}: {', '.join(self._names)}>"
 

@@ -146,7 +146,7 @@ def _variants(path: Path, text: bytes, plan: Plan, stack: ExitStack) -> _virote.
     scratch = stack.enter_context(tempfile.TemporaryDirectory())
     file = Path(scratch, "plan.csv")
     with file.open("w", encoding="utf-8") as lines:
-        lines.writelines(map(_csv_line, _lines(plan, _texts(path))))
+        lines.writelines(map(_csv_line, _never_blank(_lines(plan, _texts(path)))))
     try:
         return _virote.study_plan(path.name, text, folder, os.fspath(file), [])
     except ValueError as err:
@@ -164,7 +164,7 @@ def _texts(path: Path) -> frozenset[str]:
     return frozenset(param["name"] for param in known if param["kind"] in ("string", "bool"))
 
 
-def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str]]:
+def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str | None]]:
     """The header and the rows of a plan, one after the other: it may be longer than memory."""
     if hasattr(plan, "to_dict") and hasattr(plan, "columns"):
         plan = {str(name): plan[name] for name in plan.columns}
@@ -185,7 +185,7 @@ def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str]]:
             names = list(row)
             yield names
         if list(row) != names:
-            raise ValueError(f"row {i} of the plan gives {list(row)}, the first one {names}")
+            raise ValueError(f"row {i + 1} of the plan gives {list(row)}, the first one {names}")
         yield [_cell(name, value, texts) for name, value in row.items()]
     if not names:
         raise ValueError("the plan has no rows: nothing is to be evaluated")
@@ -197,22 +197,32 @@ def _column(name: str, values: Any) -> Sequence[Any]:
     return values if hasattr(values, "__len__") else list(values)
 
 
-def _cell(name: str, value: Any, texts: frozenset[str]) -> str:
+def _cell(name: str, value: Any, texts: frozenset[str]) -> str | None:
     # As in files of plans: what is missing is the default, and what is no number is told in its row. In a column of
     # texts a DataFrame has NaN for what is missing.
     if value is None or type(value).__name__ in ("NAType", "NaTType", "MaskedConstant"):
-        return ""
+        return None
     try:
         is_finite = math.isfinite(value)
     except (TypeError, ValueError, OverflowError):
         is_finite = True
     if not is_finite and name in texts and value != value:
-        return ""
+        return None
     return setting(name, value) if is_finite else str(float(value))
 
 
-def _csv_line(cells: Iterable[str]) -> str:
-    quoted = ['"' + cell.replace('"', '""') + '"' for cell in cells]
+def _never_blank(lines: Iterator[list[str | None]]) -> Iterator[list[str | None]]:
+    """Lines of a table; a missing cell of a single column would be a blank line, which is no row."""
+    header = next(lines)
+    is_single = len(header) == 1 and header != ["id"]
+    yield [*header, "id"] if is_single else header
+    for cells in lines:
+        yield [*cells, None] if is_single else cells
+
+
+def _csv_line(cells: Iterable[str | None]) -> str:
+    # In quotes an empty cell is a text; without them it is missing.
+    quoted = ["" if cell is None else '"' + cell.replace('"', '""') + '"' for cell in cells]
     return ",".join(quoted) + "\n"
 
 

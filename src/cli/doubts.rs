@@ -8,7 +8,14 @@ use crate::{
 
 /// Warnings of what a file came to hold.
 pub(super) fn doubts(file: &File, summary: &Summary) -> impl Iterator<Item = Diagnostic> {
-    turned(file, summary).into_iter().chain(rounded(file, summary))
+    let undrawn = summary.undrawn.iter().map(|why| undrawn(file, why));
+    turned(file, summary).into_iter().chain(rounded(file, summary)).chain(undrawn)
+}
+
+/// A warning of lines of equal parameter that a drawing lacks.
+fn undrawn(file: &File, why: &str) -> Diagnostic {
+    let message = format!("some lines of equal parameter are not drawn of {why}");
+    Diagnostic::warning(Code::Unclean, file.span, message)
 }
 
 /// A warning of numbers that are too coarse for where the geometry lies.

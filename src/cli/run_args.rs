@@ -111,7 +111,8 @@ impl OutputArgs {
 fn setting(text: &str) -> Result<Setting, String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => {
-            let (name, text) = (name.trim().to_owned(), value.trim().to_owned());
+            // A text is what stands there, blanks and all.
+            let (name, text) = (name.trim().to_owned(), value.to_owned());
             Ok(Setting { called: format!("`--set {name}={text}`"), name, text })
         }
         _ => Err("write NAME=VALUE, for example neck=15mm".to_owned()),

@@ -240,6 +240,8 @@ pub struct Summary {
     pub turned: Vec<String>,
     /// How far numbers of single precision move places, where that is farther than the tolerance.
     pub rounding: Option<f64>,
+    /// Lines of faces that a drawing lacks, and why: the name with the reason.
+    pub undrawn: Vec<String>,
 }
 
 /// `482 vertices, 960 triangles`.

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::kernel::{
     Bounds, Curve, Face, GeomError, Interval, Mesh, NurbsCurve, Surface, Tolerance,
-    tolerance::{DRAWING_DIGIT, PATH_ROUNDING},
+    tolerance::{DRAWING_DIGIT, PATH_RELATIVE, PATH_ROUNDING},
 };
 
 /// How thick a line is.
@@ -64,6 +64,8 @@ pub(super) struct Drawing {
     pub(super) bounds: Option<Bounds>,
     /// What hides, in space.
     pub(super) mesh: Option<Arc<Mesh>>,
+    /// What of the lines of a face is left out, and why.
+    pub(super) undrawn: Vec<String>,
 }
 
 impl Drawing {
@@ -215,9 +217,20 @@ impl Drawing {
             {
                 continue;
             }
-            let line = line.spline().map_err(blame)?;
-            for part in face.clipped(&[(*line).clone()], tolerance).map_err(blame)? {
-                self.curve(weight, &part, view, item)?;
+            let line = [(*line.spline().map_err(blame)?).clone()];
+            let seen = Tolerance::DEFAULT.with_distance(job.precision.max(PATH_RELATIVE * size));
+            let parts = face.clipped(&line, tolerance).or_else(|_| face.clipped(&line, seen));
+            match parts {
+                Ok(parts) => {
+                    for part in parts {
+                        self.curve(weight, &part, view, item)?;
+                    }
+                }
+                // The face is drawn without a line that only pleases.
+                Err(why) if self.undrawn.is_empty() => {
+                    self.undrawn.push(format!("`{}`: {why}", item.name));
+                }
+                Err(_) => {}
             }
         }
         Ok(())

@@ -36,6 +36,8 @@ impl Owner {
                 items.get(number.unwrap_or(0)).or_else(|| items.get(0)).map(Self::Value)
             }
             Self::Type(Type::List(of, _)) => Some(Self::Type(*of)),
+            // A row has the names of the columns.
+            Self::Value(Value::Table(table)) => Some(Self::Value(Value::Table(table))),
             _ => None,
         }
     }
@@ -133,7 +135,11 @@ impl CompletionSpot<'_> {
             return Some(Owner::Value(value.clone()));
         }
         let known =
-            local.or_else(|| names.iter().find(|known| known.is_of_file && known.name == name))?;
+            local.or_else(|| names.iter().find(|known| known.is_of_file && known.name == name));
+        let Some(known) = known else {
+            let constant = self.registry.constant(name)?;
+            return Some(Owner::Value((constant.value)()));
+        };
         match known.role {
             NameRole::Definition(kind) => type_of(kind).map(Owner::Type),
             _ => None,

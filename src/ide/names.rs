@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, ops::Range};
 
-use super::{DefinedName, Document, NameRole, SourceRange, TextEdit, applied};
+use super::{ActKind, DefinedName, Document, NameRole, SourceRange, TextEdit, applied};
 use crate::{
     diag::{Sources, Span},
     session::Session,
@@ -174,6 +174,24 @@ impl Document {
         self.same_as(Span::new(range.start as u32, range.end as u32).shifted(source.base))
     }
 
+    /// Where `.name` is asked of something whose definition is not known, in a text that calls a file of these
+    /// by `script`: what such a call gives may have come there by lists, functions and other names.
+    #[must_use]
+    pub fn unseen(&self, name: &str, is_of_file: impl Fn(&str) -> bool) -> Vec<Range<usize>> {
+        let is_import = |range: &Range<usize>| {
+            self.outline.acts.iter().any(|act| act.kind == ActKind::Import && act.subject == *range)
+        };
+        let imports = self.imports();
+        if !imports.iter().any(|(range, file)| is_of_file(file) && !is_import(range)) {
+            return Vec::new();
+        }
+        let is_field = |idx: &usize| {
+            self.piece(*idx) == name && idx.checked_sub(1).is_some_and(|dot| self.piece(dot) == ".")
+        };
+        let fields = (0..self.pieces.len()).filter(is_field).map(|idx| self.pieces[idx].1.clone());
+        fields.filter(|place| self.definition_of(place).is_none()).collect()
+    }
+
     fn same_as(&self, origin: Span) -> Vec<Occurrence> {
         let mut found = vec![self.occurrence(origin)];
         let uses = self.uses.uses.iter().map(|&(place, _)| place);
@@ -256,10 +274,12 @@ impl Document {
             return TextEdit { range, text: new.to_owned() };
         };
         let old = text.get(range.clone()).unwrap_or_default();
-        let import = outline
-            .acts
-            .iter()
-            .find(|act| act.subject.start < range.start && range.end < act.subject.end);
+        // A name that is a part of an import's path.
+        let import = outline.acts.iter().find(|act| {
+            act.kind == ActKind::Import
+                && act.subject.start < range.start
+                && range.end < act.subject.end
+        });
         if let Some(import) = import {
             let end = import.subject.end;
             return TextEdit { range: end..end, text: format!(" as {new}") };

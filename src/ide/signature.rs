@@ -34,7 +34,7 @@ impl Document {
     /// The ways to call what is being called at a byte, the likeliest first.
     #[must_use]
     pub fn signatures(&self, registry: &Registry, at: usize) -> Vec<CalledSignature> {
-        let Some(call) = open_call(&self.text, at) else { return Vec::new() };
+        let Some(call) = self.call_around(at) else { return Vec::new() };
         let own = self.outline.of_file().chain(self.imported.iter().flat_map(Outline::of_file));
         let mut own = own.filter(|name| name.name == call.name && name.role == NameRole::Function);
         if let Some(function) = own.next() {
@@ -73,6 +73,25 @@ impl Document {
             .collect();
         sort_by_key(&mut found, |signature| signature.active.is_none());
         found
+    }
+
+    /// The innermost call that is open at a byte, around points, lists and records.
+    fn call_around(&self, at: usize) -> Option<OpenCall<'_>> {
+        let mut open = Vec::new();
+        for (idx, (_, place)) in self.pieces.iter().enumerate() {
+            if at < place.end {
+                break;
+            }
+            match self.piece(idx) {
+                "(" | "[" | "{" => open.push(place.start),
+                ")" | "]" | "}" => {
+                    open.pop();
+                }
+                _ => {}
+            }
+        }
+        let inner = open_call(&self.text, at);
+        inner.or_else(|| open.into_iter().rev().find_map(|place| open_call(&self.text, place)))
     }
 }
 

@@ -15,6 +15,7 @@ mod findings;
 mod looks;
 mod navigation;
 mod paths;
+mod renaming;
 mod server;
 mod serving;
 mod telling;

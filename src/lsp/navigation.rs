@@ -1,20 +1,19 @@
-//! Requests about names: in the document, in what it imports, and in scripts of the workspace that import it.
+//! Requests about names: in the document, in what it imports, and in scripts of the workspace that import it or
+//! ask it by `script`.
 
 use std::{
-    collections::{BTreeMap, HashMap},
+    collections::BTreeMap,
     fs,
     path::{Path, PathBuf},
     str::FromStr,
     sync::Arc,
 };
 
-use lsp_server::ErrorCode;
 use lsp_types::{
     CallHierarchyIncomingCall, CallHierarchyIncomingCallsParams, CallHierarchyItem,
     CallHierarchyOutgoingCall, CallHierarchyOutgoingCallsParams, CallHierarchyPrepareParams,
     DocumentHighlight, DocumentHighlightKind, DocumentHighlightParams, DocumentSymbol,
-    DocumentSymbolParams, GotoDefinitionParams, Location, ReferenceParams, RenameParams,
-    SymbolInformation, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit,
+    DocumentSymbolParams, GotoDefinitionParams, Location, ReferenceParams, SymbolInformation, Uri,
     WorkspaceSymbolParams,
 };
 
@@ -22,25 +21,33 @@ use super::{
     convert::{self, TextPlaces},
     documents::OpenDocument,
     paths::{self, OverlaidFiles},
-    server::{RequestError, RequestResult, Server},
+    server::Server,
 };
 use crate::ide::{self, Document, LineIndex, NameRole, Occurrence, Outline, Symbol};
 
 /// The largest script of a workspace that is looked through, in bytes.
-const MOST_BYTES: u64 = 1 << 20;
+const MOST_BYTES: usize = 1 << 20;
+
+/// The built-in that names a script.
+pub(super) const SCRIPT: &str = "script";
 
 /// A place in a file.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct FoundName {
-    path: PathBuf,
-    start: usize,
-    end: usize,
+pub(super) struct FoundName {
+    pub(super) path: PathBuf,
+    pub(super) start: usize,
+    pub(super) end: usize,
 }
 
 impl Server<'_> {
     /// The address and the text of a file: that of the editor where it is open.
-    fn text_of(&self, path: &Path) -> Option<(Uri, Arc<str>)> {
-        let open = self.documents.values().find(|open| open.path.as_deref() == Some(path));
+    pub(super) fn text_of(&self, path: &Path) -> Option<(Uri, Arc<str>)> {
+        // What is no file is known by its address, as `found` has it.
+        let is_it = |open: &&OpenDocument| match &open.path {
+            Some(own) => own == path,
+            None => Path::new(&open.uri) == path,
+        };
+        let open = self.documents.values().find(is_it);
         match open {
             Some(open) => Some((Uri::from_str(&open.uri).ok()?, Arc::from(open.text.as_str()))),
             None => {
@@ -69,8 +76,12 @@ impl Server<'_> {
     }
 
     /// Scripts of the workspace and open documents, with their texts, that may use what the file at
-    /// `path` calls `name`.
-    fn importers(&self, path: &Path, name: &str) -> Vec<(PathBuf, Arc<str>)> {
+    /// `path` calls `name`; apart from them those that are too large to be looked through.
+    pub(super) fn importers(
+        &self,
+        path: &Path,
+        name: &str,
+    ) -> (Vec<(PathBuf, Arc<str>)>, Vec<PathBuf>) {
         let stem = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
         let mut found: BTreeMap<PathBuf, Arc<str>> = BTreeMap::new();
         let open = self
@@ -79,22 +90,23 @@ impl Server<'_> {
             .filter_map(|open| Some((open.path.clone()?, Arc::from(open.text.as_str()))));
         found.extend(open);
         for script in paths::scripts(&self.client.roots) {
-            let is_small = fs::metadata(&script).is_ok_and(|data| data.len() <= MOST_BYTES);
-            if is_small
-                && !found.contains_key(&script)
+            if !found.contains_key(&script)
                 && let Some((_, text)) = self.text_of(&script)
             {
                 found.insert(script, text);
             }
         }
         found.retain(|script, text| {
-            script != path && text.contains("import") && text.contains(stem) && text.contains(name)
+            let names_files = text.contains("import") || text.contains(SCRIPT);
+            script != path && names_files && text.contains(stem) && text.contains(name)
         });
-        found.into_iter().collect()
+        let (small, large): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|(_, text)| text.len() <= MOST_BYTES);
+        (small, large.into_iter().map(|(script, _)| script).collect())
     }
 
     /// A script of the workspace, looked at.
-    fn looked_at(&self, path: &Path, text: &str) -> (Document, PathBuf) {
+    pub(super) fn looked_at(&self, path: &Path, text: &str) -> (Document, PathBuf) {
         let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
         let texts = self
             .documents
@@ -107,7 +119,12 @@ impl Server<'_> {
 
     /// Every place of the name at a byte of an open document, in all files that can be seen, the
     /// definition first.
-    fn everywhere(&self, open: &OpenDocument, document: &Document, at: usize) -> Vec<FoundName> {
+    pub(super) fn everywhere(
+        &self,
+        open: &OpenDocument,
+        document: &Document,
+        at: usize,
+    ) -> Vec<FoundName> {
         let Some(definition) = document.definition(at) else { return Vec::new() };
         let definition = self.found(open, &definition);
         let own = document.references(at);
@@ -115,8 +132,8 @@ impl Server<'_> {
         let Some((_, text)) = self.text_of(&definition.path) else { return found };
         let name = text.get(definition.start..definition.end).unwrap_or_default();
         let is_shown = !name.starts_with('_');
-        for (path, text) in self.importers(&definition.path, name).into_iter().filter(|_| is_shown)
-        {
+        let (importers, _) = self.importers(&definition.path, name);
+        for (path, text) in importers.into_iter().filter(|_| is_shown) {
             let (script, folder) = self.looked_at(&path, &text);
             let imports = script.imports();
             let files = imports.iter().map(|(_, file)| *file);
@@ -177,76 +194,6 @@ impl Server<'_> {
             DocumentHighlight { range: places.range(range), kind: Some(kind) }
         };
         Some(document.highlights(places.offset(at.position)).iter().map(highlight).collect())
-    }
-
-    pub(super) fn prepare_rename(
-        &self,
-        params: &TextDocumentPositionParams,
-    ) -> Option<lsp_types::Range> {
-        let (_, document, places) = self.open(&params.text_document.uri)?;
-        Some(places.range(&document.renamable(places.offset(params.position))?))
-    }
-
-    pub(super) fn rename(&self, params: &RenameParams) -> RequestResult {
-        let refused = |why: String| RequestError(ErrorCode::RequestFailed, why);
-        let at = &params.text_document_position;
-        let (open, document, places) = self
-            .open(&at.text_document.uri)
-            .ok_or_else(|| refused("the document is not open".to_owned()))?;
-        let byte = places.offset(at.position);
-        let files = self.files(open);
-        let mut by_path: BTreeMap<PathBuf, Vec<ide::TextEdit>> = BTreeMap::new();
-        let mut add = |folder: &Path, own: &Path, rename: ide::Rename| {
-            for (file, edits) in rename {
-                let path = file.map_or(own.to_path_buf(), |file| paths::normal(&folder.join(file)));
-                let all = by_path.entry(path).or_default();
-                edits.into_iter().for_each(|edit| {
-                    if !all.contains(&edit) {
-                        all.push(edit);
-                    }
-                });
-            }
-        };
-        let own = open.path.clone().unwrap_or_else(|| PathBuf::from(&open.uri));
-        add(
-            &open.folder(),
-            &own,
-            document.rename(&self.session, &files, byte, &params.new_name).map_err(refused)?,
-        );
-        // Each script that imports the file has to mean the same afterwards, too.
-        let everywhere = self.everywhere(open, document, byte);
-        let others: std::collections::BTreeSet<&PathBuf> =
-            everywhere.iter().map(|one| &one.path).filter(|path| **path != own).collect();
-        for path in others {
-            let Some((_, text)) = self.text_of(path) else { continue };
-            let (script, folder) = self.looked_at(path, &text);
-            let Some(one) = everywhere.iter().find(|one| one.path == *path) else { continue };
-            let texts = self
-                .documents
-                .values()
-                .filter_map(|open| Some((open.path.clone()?, Arc::from(open.text.as_str()))));
-            let files = OverlaidFiles::new(&folder, &Arc::new(texts.collect()));
-            let rename = script
-                .rename(&self.session, &files, one.start, &params.new_name)
-                .map_err(|why| refused(format!("{}: {why}", path.display())))?;
-            add(&folder, path, rename);
-        }
-        #[expect(clippy::mutable_key_type, reason = "the type of the protocol's crate")]
-        let mut changes: HashMap<Uri, Vec<TextEdit>> = HashMap::new();
-        for (path, edits) in by_path {
-            let known = if path == own {
-                Some((at.text_document.uri.clone(), Arc::from(open.text.as_str())))
-            } else {
-                self.text_of(&path)
-            };
-            let Some((uri, text)) = known else { continue };
-            let lines = LineIndex::new(&text);
-            let places = TextPlaces { text: &text, lines: &lines, unit: self.client.unit };
-            changes.insert(uri, places.edits(&edits));
-        }
-        let edit = WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
-        serde_json::to_value(edit)
-            .map_err(|err| RequestError(ErrorCode::InternalError, err.to_string()))
     }
 
     pub(super) fn symbols(&self, params: &DocumentSymbolParams) -> Option<Vec<DocumentSymbol>> {

@@ -71,9 +71,17 @@ impl Fact {
     }
 }
 
-/// A number in six digits with its unit.
+/// A number in six digits with its unit; those before the point are all told where they fit on a line.
 pub(super) fn with_unit(value: f64, unit: &str) -> String {
-    format!("{} {unit}", rounded(value))
+    let size = value.abs();
+    let number = if size < 1e6 {
+        rounded(value)
+    } else if size < 1e12 {
+        format!("{value:.0}")
+    } else {
+        format!("{value:.5e}")
+    };
+    format!("{number} {unit}")
 }
 
 /// A member of what was asked that is a number.
@@ -83,4 +91,21 @@ pub(super) fn with_unit(value: f64, unit: &str) -> String {
 pub(super) fn number_of(body: &Json, name: &str) -> Result<f64, String> {
     let number = body[name].as_f64().filter(|number| number.is_finite());
     number.ok_or_else(|| format!("`{name}` must be a number"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_unit;
+
+    #[test]
+    fn no_digits_are_made_up() {
+        for (value, text) in [
+            (25.132_741_2, "25.1327 mm"),
+            (7_620_758.652, "7620759 mm"),
+            (-999_999_999_999.4, "-999999999999 mm"),
+            (1.130_973_355e14, "1.13097e14 mm"),
+        ] {
+            assert_eq!(with_unit(value, "mm"), text);
+        }
+    }
 }

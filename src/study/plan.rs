@@ -22,6 +22,9 @@ const MOST_VARIANTS: u64 = 1_000_000_000;
 /// The column of a plan that names its variants.
 const ID: &str = "id";
 
+/// The kind of parameters that are texts.
+const TEXT: &str = "string";
+
 /// What results put behind the name of a parameter that is called like a column of every study.
 pub(super) const PRIME: char = '\'';
 
@@ -149,8 +152,11 @@ impl Plan {
                 }
             }
             for (column, cell) in self.columns.iter().zip(&row.cells) {
-                column.check(cell).map_err(|message| format!("{}{message}", row.place))?;
-                sum.add(cell.as_bytes());
+                if let Some(cell) = cell {
+                    column.check(cell).map_err(|message| format!("{}{message}", row.place))?;
+                    // An empty text is not what is missing.
+                    sum.add(if cell.is_empty() { b"\"\"" } else { cell.as_bytes() });
+                }
                 sum.add(b"\0");
             }
             if MOST_VARIANTS < n_variants {
@@ -184,9 +190,12 @@ impl Plan {
     fn variant(&self, number: u64, row: &PlanRow) -> Variant {
         let (mut id, mut settings) = (Json::from(number), Vec::new());
         for (column, cell) in self.columns.iter().zip(&row.cells) {
-            let cell = cell.trim();
+            let Some(cell) = cell else { continue };
+            // A text is what stands there, blanks and all.
+            let is_text = column.role == ColumnRole::Parameter(TEXT);
+            let cell = if is_text { cell } else { cell.trim() };
             match column.role {
-                _ if cell.is_empty() => {}
+                _ if cell.is_empty() && !is_text => {}
                 ColumnRole::Id => {
                     // Whole numbers stay numbers, unless they would lose a zero in front.
                     let whole = cell.parse::<i64>().ok().filter(|n| n.to_string() == cell);
@@ -267,7 +276,7 @@ impl PlanColumn {
     /// A cell as a setting of a parameter of a kind.
     fn setting(&self, kind: &str, cell: &str) -> String {
         match kind {
-            "string" => cell.to_owned(),
+            TEXT => cell.to_owned(),
             "bool" => cell.to_lowercase(),
             _ => match number_and_unit(cell) {
                 (Some(number), "") => {
@@ -320,13 +329,13 @@ fn name_and_unit(title: &str) -> (&str, Option<&str>) {
 }
 
 /// All combinations; the last list runs fastest.
-fn combinations(values: &[Vec<String>]) -> impl Iterator<Item = Vec<String>> + Send + '_ {
+fn combinations(values: &[Vec<String>]) -> impl Iterator<Item = Vec<Option<String>>> + Send + '_ {
     let n_all: u64 = values.iter().map(|list| list.len() as u64).product();
     (0..n_all).map(move |number| {
         let mut left = number;
-        let mut cells: Vec<String> = Vec::with_capacity(values.len());
+        let mut cells: Vec<Option<String>> = Vec::with_capacity(values.len());
         for list in values.iter().rev() {
-            cells.push(list[(left % list.len() as u64) as usize].clone());
+            cells.push(list.get((left % list.len() as u64) as usize).cloned());
             left /= list.len() as u64;
         }
         cells.reverse();
@@ -341,7 +350,8 @@ mod tests {
     #[test]
     fn the_last_parameter_varies_fastest() {
         let values = [vec!["1".to_owned(), "2".to_owned()], vec!["a".to_owned(), "b".to_owned()]];
-        let all: Vec<String> = combinations(&values).map(|cells| cells.concat()).collect();
+        let all: Vec<String> =
+            combinations(&values).map(|cells| cells.into_iter().flatten().collect()).collect();
         assert_eq!(all, ["1a", "1b", "2a", "2b"]);
     }
 

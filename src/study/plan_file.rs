@@ -35,7 +35,8 @@ enum PlanLayout {
 pub(super) struct PlanRow {
     /// How a message about it begins; empty where it has no place.
     pub(super) place: String,
-    pub(super) cells: Vec<String>,
+    /// None is missing.
+    pub(super) cells: Vec<Option<String>>,
 }
 
 /// How a Parquet file begins.
@@ -101,12 +102,27 @@ impl PlanFile {
         file: File,
         separator: u8,
     ) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
-        let records = csv_reader(BufReader::new(file), separator).into_byte_records();
-        Box::new(records.map(|record| {
+        let reader = csv_reader(BufReader::new(file), separator);
+        let quoted = reader.get_ref().quoted_cells();
+        let mut records = reader.into_byte_records();
+        let mut is_first = true;
+        let rows = std::iter::from_fn(move || {
+            let record = records.next()?;
+            if std::mem::take(&mut is_first) {
+                // That of the header.
+                quoted.next_row();
+            }
+            Some((record, quoted.next_row()))
+        });
+        Box::new(rows.map(|(record, quoted)| {
             let record = record.map_err(|err| self.csv_fault(&err))?;
             let line = record.position().map_or(0, csv::Position::line);
             let place = format!("{}:{line}: ", self.path.display());
-            let cells = record.iter().map(|cell| str::from_utf8(cell).map(str::to_owned));
+            // An empty cell is a text where it is in quotes, else nothing.
+            let cells = record.iter().enumerate().map(|(i, cell)| {
+                let is_there = !cell.is_empty() || quoted.contains(&i);
+                str::from_utf8(cell).map(|cell| is_there.then(|| cell.to_owned()))
+            });
             match cells.collect() {
                 Ok(cells) => Ok(PlanRow { place, cells }),
                 Err(_) => Err(format!("{place}the row is not UTF-8 text; save the plan as UTF-8")),
@@ -169,7 +185,7 @@ impl PlanFile {
 
 fn csv_reader<R: std::io::Read>(file: R, separator: u8) -> csv::Reader<ClosedQuotes<R>> {
     let file = ClosedQuotes::new(file, separator);
-    csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::All).from_reader(file)
+    csv::ReaderBuilder::new().delimiter(separator).trim(csv::Trim::Headers).from_reader(file)
 }
 
 fn parquet_reader(path: &Path) -> Result<SerializedFileReader<File>, String> {
@@ -196,10 +212,10 @@ fn decimal_text(decimal: &Decimal) -> Option<String> {
     Some(format!("{sign}{whole}{point}{part}"))
 }
 
-/// A cell as CSV would have it; empty for null.
-fn text_of(field: &Field) -> Option<String> {
-    Some(match field {
-        Field::Null => String::new(),
+/// A cell as CSV would have it, none inside for null; none where it is no plain value.
+fn text_of(field: &Field) -> Option<Option<String>> {
+    Some(Some(match field {
+        Field::Null => return Some(None),
         Field::Bool(truth) => truth.to_string(),
         Field::Byte(n) => n.to_string(),
         Field::Short(n) => n.to_string(),
@@ -217,7 +233,7 @@ fn text_of(field: &Field) -> Option<String> {
         Field::Decimal(decimal) => decimal_text(decimal)?,
         Field::Str(text) => text.clone(),
         _ => return None,
-    })
+    }))
 }
 
 #[cfg(test)]

@@ -30,13 +30,17 @@ impl VariedParameter {
     pub fn read(text: &str) -> Result<Self, String> {
         let usage = "write NAME=FROM..TO:COUNT or NAME=A,B,C, for example neck=10mm..20mm:11";
         let Some((name, values)) = text.split_once('=') else { return Err(usage.to_owned()) };
-        let (name, values) = (name.trim(), values.trim());
-        if name.is_empty() || values.is_empty() {
+        let name = name.trim();
+        if name.is_empty() || values.trim().is_empty() {
             return Err(usage.to_owned());
         }
         let values = match values.split_once("..") {
-            Some((from, rest)) => spread(name, from, rest)?,
-            None => values.split(',').map(|value| value.trim().to_owned()).collect(),
+            Some((from, rest)) => spread(name, from.trim_start(), rest.trim_end())?,
+            // Blanks beside a comma belong to it.
+            None if values.contains(',') => {
+                values.split(',').map(|value| value.trim().to_owned()).collect()
+            }
+            None => vec![values.to_owned()],
         };
         if values.iter().any(String::is_empty) {
             return Err(format!("`{name}` has an empty value; {usage}"));
@@ -93,6 +97,7 @@ mod tests {
         assert_eq!(values("x=0..1:11").unwrap_or_default().split(' ').nth(3), Some("0.3"));
         assert_eq!(values("x = -5deg .. 5deg : 3"), Ok("-5deg 0deg 5deg".to_owned()));
         assert_eq!(values("shape=flat, round"), Ok("flat round".to_owned()));
+        assert_eq!(values("shape= flat "), Ok(" flat ".to_owned()));
         assert_eq!(values("x=20..10:2"), Ok("20 10".to_owned()));
         for (text, told) in [
             ("neck", "NAME=FROM..TO:COUNT"),

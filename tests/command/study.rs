@@ -480,3 +480,23 @@ fn each_variant_has_a_picture_and_all_a_sheet() {
     let results = fs::read_to_string(scratch.0.join("r.csv")).expect("results");
     assert!(results.lines().nth(1).unwrap_or_default().ends_with(",1.png"), "{results}");
 }
+
+#[test]
+fn a_text_is_what_stands_there() {
+    let scratch = Scratch::new("study-texts");
+    scratch.file("a.geo", "param name = \"x\"\nparam n = 1\nlet told = \"[{name}]{n}\"\n");
+    scratch.file("plan.csv", "name, n\n c , 2\n\"\",\"\"\n,3\n\" d\",\n");
+    let told_of = |args: &[&str]| {
+        let (_, err, code) = study(&scratch, &[args, &["-o", "r.csv", "--want", "told"]].concat());
+        assert_eq!(code, 0, "{err}");
+        let results = fs::read_to_string(scratch.0.join("r.csv")).expect("results");
+        let cell = |line: &str| {
+            let (_, rest) = line.split_once('[')?;
+            rest.split(',').next().map(str::to_owned)
+        };
+        results.lines().filter_map(cell).collect::<Vec<_>>()
+    };
+    assert_eq!(told_of(&["plan.csv"]), [" c ]2", "]1", "x]3", " d]1"]);
+    assert_eq!(told_of(&["--vary", "name= c "]), [" c ]1"]);
+    assert_eq!(told_of(&["--vary", "name=a, b"]), ["a]1", "b]1"]);
+}

@@ -32,6 +32,8 @@ fn check(wrong: &str, right: &str) {
 #[test]
 fn slips_are_mended() {
     check("let width = 2  print widht", "let width = 2  print width");
+    check("let on = True", "let on = true");
+    check("let x = None", "let x = none");
     check("print sqrt(2", "print sqrt(2)");
     check("print sqrt(2))", "print sqrt(2)");
     check("print [1, 2)", "print [1, 2]");

@@ -103,6 +103,9 @@ fn completion_knows_the_place() {
         scene("let c = interpolate([(0, 0), (1, 1)], ends = \"‸\")").completion("natural").insert
             == "natural"
     );
+    assert!(!scene("print XY.‸").completions().is_empty());
+    let row = scene("let t = table({wide: [1], high: [2]})\nprint t[0].‸").completion("high");
+    assert_eq!(row.label, "high");
     assert_eq!(scene("let p = {width: 2mm}\nprint p.‸").completion("width").detail, "2 mm");
     assert_eq!(scene("print 10‸").completion("mm").insert, "mm");
     assert_eq!(scene("unit ‸").completion("cm").detail, "10 mm");
@@ -243,6 +246,9 @@ fn a_signature_knows_its_argument() {
         found[0].active.map(|idx| found[0].parameters[idx].label.clone()).unwrap(),
         "radius: length"
     );
+    let one = scene("let c = circle((1, ‸");
+    let found = one.document.signatures(one.session.registry(), one.at);
+    assert!(found[0].label.starts_with("circle(") && found[0].active == Some(0), "{found:?}");
     let one = scene("/// Doubles.\nfn twice(x, by = 2) = by * x\nlet c = twice(1, by = ‸)");
     let found = one.document.signatures(one.session.registry(), one.at);
     assert_eq!((found[0].label.as_str(), found[0].active), ("fn twice(x, by = 2)", Some(1)));

@@ -95,3 +95,12 @@ pub(crate) fn advice(name: &str) -> Option<&'static str> {
     let row = FOREIGN.iter().find(|(words, _)| words.contains(&plain.as_str()));
     row.map(|&(_, advice)| advice)
 }
+
+/// The word that takes the place of `name`, where it is that word written otherwise.
+pub(crate) fn word(name: &str) -> Option<&'static str> {
+    let words = ["true", "false", "none", "pi"];
+    match name {
+        "null" | "nil" | "undef" | "undefined" => Some("none"),
+        _ => words.into_iter().find(|word| name.eq_ignore_ascii_case(word)),
+    }
+}

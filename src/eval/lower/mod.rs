@@ -27,7 +27,7 @@ use super::{
     name_uses::NotedNames,
 };
 use crate::{
-    diag::{Code, Diagnostic, Severity, Span, nearest},
+    diag::{Code, Diagnostic, Fix, Severity, Span, nearest},
     kernel::Tolerance,
     syntax::ast::{self, Statement, Tree, Unit},
     value::{Function, Registry, Value},
@@ -276,7 +276,12 @@ impl<'s> Lowerer<'_, 's> {
                     span,
                     format!("nothing is called `{name}`"),
                 );
-                self.report(diagnostic.label("unknown name").hint(advice));
+                let diagnostic = diagnostic.label("unknown name").hint(advice);
+                let fix = foreign_names::word(name).map(|word| Fix::replace(span, word));
+                self.report(match fix {
+                    Some(fix) => diagnostic.fix(fix),
+                    None => diagnostic,
+                });
             }
             (Some(near), None) => {
                 let mut diagnostic = Diagnostic::error(

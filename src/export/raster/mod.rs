@@ -55,7 +55,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut drawings = Vec::with_capacity(job.items.len());
     for item in &job.items {
         summary.count(&item.subject);
-        drawings.push(Drawing::of(item, &extent.projection, near, job)?);
+        let mut drawing = Drawing::of(item, &extent.projection, near, job)?;
+        summary.undrawn.append(&mut drawing.undrawn);
+        drawings.push(drawing);
     }
     let scene = RasterScene::new(job, (&drawings, &extent.projection), picture, near)?;
     let light = Light::new(&extent.projection, picture.stripes);

@@ -74,6 +74,7 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     for item in &job.items {
         summary.count(&item.subject);
         let mut drawing = Drawing::of(item, view, near, job)?;
+        summary.undrawn.append(&mut drawing.undrawn);
         drawing.add_stripes(item, view, near, job)?;
         drawings.push(drawing);
     }

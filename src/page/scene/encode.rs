@@ -12,8 +12,8 @@ use super::{
 use crate::{
     export::N_ISOCURVES,
     kernel::{
-        Bounds, Curve, Direction, Face, GeomError, Interval, Mesh, NurbsCurve, Side, Surface,
-        Tolerance, tessellation_parameters, tolerance::DRAWING_DIGIT,
+        Bounds, Curve, Direction, GeomError, Interval, Mesh, NurbsCurve, Side, Surface, Tolerance,
+        tessellation_parameters, tolerance::DRAWING_DIGIT,
     },
 };
 
@@ -37,6 +37,8 @@ pub(crate) struct EncodedItem {
     /// What there is to tell about it: sizes and degrees.
     pub(crate) facts: Map<String, Json>,
     pub(crate) bounds: Option<Bounds>,
+    /// What of it is not drawn, and why.
+    pub(crate) trouble: Option<String>,
 }
 
 impl EncodedItem {
@@ -51,7 +53,7 @@ impl EncodedItem {
 const N_COMB: usize = 96;
 
 /// The same of a line of equal parameter.
-const N_ISOCOMB: usize = 32;
+pub(super) const N_ISOCOMB: usize = 32;
 
 /// The item of a shape, whose surfaces have this mesh.
 ///
@@ -69,6 +71,7 @@ pub(super) fn encoded(
         facts: Map::new(),
         size: bounds.map_or(0.0, Bounds::diagonal),
         fineness: *fineness,
+        trouble: None,
     };
     match shape {
         Shape::Points(points) => {
@@ -102,7 +105,8 @@ pub(super) fn encoded(
             item.facts.insert("surfaces".to_owned(), json!(surfaces.len()));
         }
     }
-    Ok(EncodedItem { bytes: Arc::new(item.writer.finish()), facts: item.facts, bounds })
+    let EncodingItem { writer, facts, trouble, .. } = item;
+    Ok(EncodedItem { bytes: Arc::new(writer.finish()), facts, bounds, trouble })
 }
 
 /// The item of a shape that cannot be drawn, with the reason.
@@ -110,7 +114,12 @@ pub(super) fn empty(shape: &Shape, why: &str) -> EncodedItem {
     let bounds = shape.bounds();
     let mut writer = ItemWriter::new(shape.kind(), bounds.map_or(DVec3::ZERO, Bounds::center));
     writer.set("trouble", json!(why));
-    EncodedItem { bytes: Arc::new(writer.finish()), facts: facts_of(shape), bounds }
+    EncodedItem {
+        bytes: Arc::new(writer.finish()),
+        facts: facts_of(shape),
+        bounds,
+        trouble: Some(why.to_owned()),
+    }
 }
 
 /// What can be told of a shape without its triangles.
@@ -143,11 +152,13 @@ pub(super) fn facts_of(shape: &Shape) -> Map<String, Json> {
     facts
 }
 
-struct EncodingItem {
-    writer: ItemWriter,
+/// An item in the making.
+pub(super) struct EncodingItem {
+    pub(super) writer: ItemWriter,
     facts: Map<String, Json>,
-    size: f64,
-    fineness: Fineness,
+    pub(super) size: f64,
+    pub(super) fineness: Fineness,
+    pub(super) trouble: Option<String>,
 }
 
 impl EncodingItem {
@@ -205,7 +216,7 @@ impl EncodingItem {
     }
 
     /// The edges of surfaces where they end, and lines of equal parameter inside.
-    fn add_surface_lines(&mut self, surfaces: &[Surface]) -> Result<(), GeomError> {
+    pub(super) fn add_surface_lines(&mut self, surfaces: &[Surface]) -> Result<(), GeomError> {
         let (mut edges, mut isocurves, mut isocombs) = (Vec::new(), Vec::new(), Vec::new());
         for surface in surfaces {
             let same = DRAWING_DIGIT * self.size;
@@ -234,44 +245,6 @@ impl EncodingItem {
                     let (parameters, points) = self.finely(&line, N_ISOCOMB)?;
                     isocurves.push(self.writer.places(&points));
                     let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(&line, t)).collect();
-                    isocombs.push(self.writer.vectors(&bends));
-                }
-            }
-        }
-        self.writer.set("edges", edges.into());
-        self.writer.set("isocurves", isocurves.into());
-        self.writer.set("isocombs", isocombs.into());
-        Ok(())
-    }
-
-    /// The edges of a face, and what of the lines of its surface is on it.
-    fn add_face_lines(&mut self, face: &Face) -> Result<(), GeomError> {
-        let surface = Surface::Nurbs(Arc::clone(face.surface()));
-        if face.is_whole() {
-            return self.add_surface_lines(&[surface]);
-        }
-        let tolerance = Tolerance::DEFAULT.with_distance(self.fineness.weld);
-        let mut edges = Vec::new();
-        for edge in face.edges(tolerance)? {
-            let points = self.polyline(&edge.into())?.1;
-            edges.push(self.writer.places(&points));
-        }
-        let (mut isocurves, mut isocombs) = (Vec::new(), Vec::new());
-        for along in Direction::BOTH {
-            let steps = face.surface().domain(along.other()).steps(N_ISOCURVES + 1);
-            for &at in &steps[1..steps.len() - 1] {
-                let line = match along {
-                    Direction::U => face.surface().isocurve_v(at),
-                    Direction::V => face.surface().isocurve_u(at),
-                };
-                if line.bounds().diagonal() <= DRAWING_DIGIT * self.size {
-                    continue;
-                }
-                for part in face.clipped(&[line], tolerance)? {
-                    let part = Curve::from(part);
-                    let (parameters, points) = self.finely(&part, N_ISOCOMB)?;
-                    isocurves.push(self.writer.places(&points));
-                    let bends: Vec<DVec3> = parameters.iter().map(|&t| bending(&part, t)).collect();
                     isocombs.push(self.writer.vectors(&bends));
                 }
             }
@@ -341,7 +314,7 @@ impl EncodingItem {
     }
 
     /// Points of a curve with their parameters.
-    fn polyline(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
+    pub(super) fn polyline(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
         let spline = curve.spline()?;
         let Fineness { chord, most, .. } = self.fineness;
         let parameters = tessellation_parameters(&spline, chord, most)?;
@@ -350,7 +323,11 @@ impl EncodingItem {
     }
 
     /// The same, where the curve bends as many as its comb needs at least.
-    fn finely(&self, curve: &Curve, least: usize) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
+    pub(super) fn finely(
+        &self,
+        curve: &Curve,
+        least: usize,
+    ) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
         let (parameters, points) = self.polyline(curve)?;
         let n_parts = least.div_ceil(parameters.len().max(2) - 1);
         if n_parts < 2 || curve.is_straight(Tolerance::DEFAULT.with_distance(self.fineness.weld))? {
@@ -367,7 +344,7 @@ impl EncodingItem {
 }
 
 /// The curvature vector of a curve; nothing where it has none.
-fn bending(curve: &Curve, t: f64) -> DVec3 {
+pub(super) fn bending(curve: &Curve, t: f64) -> DVec3 {
     let local = curve.local_at(t, Side::Right).ok();
     local.and_then(|local| local.curvature_vector()).unwrap_or(DVec3::ZERO)
 }

@@ -84,7 +84,11 @@ impl ItemMemory {
     ) {
         let Some(kept) = self.items.get_mut(&named(identity, fineness)) else { return };
         match item {
-            Ok(item) => kept.items.push((number, piece, ItemSource::Made(Arc::new(item)))),
+            Ok(item) => {
+                let told = item.trouble.iter().map(|why| format!("{}`: {why}", piece.path));
+                kept.troubles.extend(told);
+                kept.items.push((number, piece, ItemSource::Made(Arc::new(item))));
+            }
             Err(why) => kept.troubles.push(format!("{}` cannot be drawn: {why}", piece.path)),
         }
     }

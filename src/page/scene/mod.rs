@@ -3,6 +3,7 @@
 mod bytes;
 mod deferred;
 mod encode;
+mod face_lines;
 mod memory;
 mod meshes;
 mod parts;

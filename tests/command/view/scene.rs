@@ -180,3 +180,14 @@ fn what_the_script_does_not_show_is_meshed_when_somebody_asks() {
     assert_eq!(told(&shown, "ball")["isShown"], json!(true));
     assert_eq!(view.item(&shown, "ball").triangles(), ball.triangles());
 }
+
+#[test]
+fn a_face_is_drawn_also_where_a_line_on_it_cannot_be_found() {
+    let view = View::of(
+        "far-face",
+        "surface ball = sphere((1e6, -2e6, 5e5), 3)\n\
+         face f = trim(ball, by = plane((1e6, -2e6, 500001), (0, 0, 1)), keep = \"above\")\n",
+    );
+    let item = view.item(&view.current(), "f");
+    assert!(!item.places(&item.header["positions"]).is_empty(), "{:?}", item.header);
+}

@@ -2,5 +2,6 @@
 //! mark, random edits, and what clients do wrong.
 
 mod client;
+mod renames;
 mod requests;
 mod trouble;

@@ -175,3 +175,10 @@ export function figure(value: number, n_digits = 4): string {
     : String(Number(value.toPrecision(n_digits)));
   return text.replaceAll("-", "−");
 }
+
+/** A coordinate or distance in a model of this size: to a millionth of the size or finer, up to 1e12 without an exponent. */
+export function coordinate(value: number, size: number): string {
+  if (!Number.isFinite(value) || Math.abs(value) >= 1e12) return figure(value, 7);
+  const nDecimals = size > 0 && Number.isFinite(size) ? Math.ceil(6 - Math.log10(size)) : 6;
+  return String(Number(value.toFixed(Math.min(Math.max(nDecimals, 0), 15))) + 0).replaceAll("-", "−");
+}

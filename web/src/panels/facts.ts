@@ -1,8 +1,8 @@
 // What is known of the place that was clicked, of two such places together, and of the selection.
 
-import type { Answer, Item, Measurable, Vector } from "../door/door";
+import type { Answer, Box, Item, Measurable, Vector } from "../door/door";
 import type { Document, Hit } from "../model/document";
-import { button, copy, el, figure, section, type Section } from "./dom";
+import { button, coordinate, copy, el, figure, section, type Section } from "./dom";
 import { icon } from "./icons";
 
 /** Names that fit the panel. */
@@ -35,6 +35,11 @@ export class FactsPanel {
     doc.isMeasuring.follow(() => this.show());
   }
 
+  /** The diagonal of the model; 0 where it has none. */
+  private size(): number {
+    return sizeOf(this.doc.state.value?.bounds);
+  }
+
   private show(): void {
     const hit = this.doc.hit.value;
     const items = this.doc.selected();
@@ -50,7 +55,7 @@ export class FactsPanel {
     const unit = this.doc.state.value?.unit ?? "";
     const { answer } = hit;
     const nodes: Node[] = [this.expression(hit)];
-    nodes.push(row("Point", triple(answer?.point ?? hit.point), unit));
+    nodes.push(row("Point", places(answer?.point ?? hit.point, this.size()), unit));
     const normal = answer?.normal ?? hit.normal;
     if (normal) nodes.push(row(isOnCut(hit) ? "Normal of the section" : hit.item.kind === "mesh" ? "Normal of the triangle" : "Normal", triple(normal, 4)));
     if (hit.item.kind === "mesh" && hit.triangle !== null) nodes.push(row("Triangle", String(hit.triangle)));
@@ -91,7 +96,7 @@ export class FactsPanel {
     }
     const [a, b] = marks.value;
     const { distance, delta, angle } = measurement(a, b);
-    const rows = [row("Distance", figure(distance, 7), unit), row("Δ x, y, z", triple(delta), unit)];
+    const rows = [row("Distance", coordinate(distance, this.size()), unit), row("Δ x, y, z", places(delta, this.size()), unit)];
     if (angle !== null) rows.push(row("Angle of normals", `${figure(angle, 6)}°`));
     return [el("h4", {}, "Two points"), ...rows];
   }
@@ -187,6 +192,16 @@ function row(label: string, value: string, unit = ""): HTMLElement {
   );
 }
 
-function triple(vector: Vector, n_digits = 6): string {
+/** The diagonal of a box. */
+export function sizeOf(box: Box | null | undefined): number {
+  return box ? Math.hypot(...box[0].map((least, i) => box[1][i] - least)) : 0;
+}
+
+/** Coordinates in a model of this size. */
+function places(vector: Vector, size: number): string {
+  return vector.map((value) => coordinate(value, size)).join("  ");
+}
+
+function triple(vector: Vector, n_digits: number): string {
   return vector.map((value) => figure(Math.abs(value) < 1e-12 ? 0 : value, n_digits)).join("  ");
 }

@@ -7,8 +7,8 @@ import type { Document, Hit } from "../model/document";
 import type { SettingsSignal } from "../model/settings";
 import { reachAlong, sectionFrame, sectionMiddle, sectionNormal } from "../view/section";
 import type { Stage } from "../view/stage";
-import { el, figure, put, svg, say } from "./dom";
-import { measurement, pointOf } from "./facts";
+import { coordinate, el, figure, put, svg, say } from "./dom";
+import { measurement, pointOf, sizeOf } from "./facts";
 import { isStriped, stripesTold } from "./look";
 
 /** Length of the drawn directions in pixels. */
@@ -46,7 +46,7 @@ export function overlay(doc: Document, stage: Stage, settings: SettingsSignal): 
       const [a, b] = marks.map((mark) => stage.rig.project(new Vector3(...pointOf(mark))));
       shapes.unshift(svg("line", { class: "measure-line", x1: a.x, y1: a.y, x2: b.x, y2: b.y }));
       const { distance } = measurement(marks[0], marks[1]);
-      label.textContent = `${figure(distance, 6)} ${doc.state.value?.unit ?? ""}`;
+      label.textContent = `${coordinate(distance, sizeOf(doc.state.value?.bounds))} ${doc.state.value?.unit ?? ""}`;
       place(label, a.add(b).multiplyScalar(0.5));
     }
     if (shapes.length > 0 || drawing.firstChild) drawing.replaceChildren(...shapes);
