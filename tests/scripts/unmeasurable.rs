@@ -25,7 +25,7 @@ impl SurfaceFunction for Ripples {
         let values = [
             DVec3::new(u, v, sine),
             DVec3::new(1.0, 0.0, cosine * slope),
-            DVec3::Z * (2.0 * inverse.powi(3) * cosine - slope * slope * sine),
+            DVec3::Z * (2.0 * inverse * inverse * inverse * cosine - slope * slope * sine),
         ];
         let n = order + 1;
         let mut all = vec![DVec3::ZERO; n * n];

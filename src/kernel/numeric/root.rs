@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     ceiling::{ALL_ROOT_LOOKS, ROOT_LOOKS, ROOT_STEPS},
-    tolerance::{ROOT_JUMP_RELATIVE, ROOT_RELATIVE, ROOT_TOUCH_RELATIVE},
+    tolerance::{JUMP_KEEPS, JUMP_LOOK, ROOT_JUMP_RELATIVE, ROOT_RELATIVE, ROOT_TOUCH_RELATIVE},
 };
 
 /// Of so many parts one may hold a root: more roots may come in pairs that samples do not tell.
@@ -95,7 +95,8 @@ fn sought<E>(
 }
 
 /// Every root of a function in an interval that samples at equal distances tell apart, in order: roots
-/// that are nearer to one another may be missed in pairs. A jump over zero, such as a pole, is no root and is passed over.
+/// that are nearer to one another may be missed in pairs. A jump over zero, such as a pole, is no root and is passed over,
+/// where the function is clearly no steep one.
 ///
 /// ```
 /// use virote_kernel::{RootError, find_roots};
@@ -107,7 +108,8 @@ fn sought<E>(
 /// ```
 ///
 /// # Errors
-/// Those of the function; a stretch along which it is zero; roots in every fourth part or more.
+/// Those of the function; what may be a jump over zero or a steep root; a stretch along which it is zero; roots in every
+/// fourth part or more.
 pub fn find_roots<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
@@ -129,11 +131,11 @@ pub fn find_roots<E>(
         if is_zero(pair[0].value) {
             roots.push(asked.single(pair[0])?);
         } else if is_change(pair[0], pair[1]) {
-            roots.extend(unless_jump(between(&mut asked, [pair[0], pair[1]], end - start))?);
+            let found = between(&mut asked, [pair[0], pair[1]], end - start);
+            roots.extend(unless_jump(&mut asked, [pair[0].at, pair[1].at], found)?);
         } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
             && is_valley(before, middle, after)
-            && let Some(Ok(root)) =
-                unless_jump(touch_between(&mut asked, [before, middle, after], Touch::IsRoot))?
+            && let Ok(root) = touch_between(&mut asked, [before, middle, after], Touch::IsRoot)?
         {
             roots.push(root);
         }
@@ -144,13 +146,20 @@ pub fn find_roots<E>(
     Ok(roots)
 }
 
-/// What was found; none where the function jumps over zero.
-fn unless_jump<T, E>(found: Result<T, RootError<E>>) -> Result<Option<T>, RootError<E>> {
-    match found {
-        Ok(root) => Ok(Some(root)),
-        Err(RootError::Jump { .. }) => Ok(None),
-        Err(error) => Err(error),
+/// What was found between two places; none where the function jumps over zero, to which it then comes no nearer.
+fn unless_jump<E, F: FnMut(f64) -> Result<f64, E>>(
+    asked: &mut AskedFunction<F>,
+    [low, high]: [f64; 2],
+    found: Result<Sample, RootError<E>>,
+) -> Result<Option<Sample>, RootError<E>> {
+    let Err(RootError::Jump { sides }) = found else { return found.map(Some) };
+    for (side, away) in sides.into_iter().zip([-JUMP_LOOK, JUMP_LOOK]) {
+        let beside = asked.at((side.at + away * (high - low)).clamp(low, high))?;
+        if side.value.abs() < JUMP_KEEPS * beside.value.abs() {
+            return Err(RootError::Jump { sides });
+        }
     }
+    Ok(None)
 }
 
 fn is_change(a: Sample, b: Sample) -> bool {

@@ -65,7 +65,7 @@ impl Solid {
     ///
     /// let ball = |radius: f64| Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, radius)?), Tolerance::DEFAULT);
     /// let nested = Solid::new(&[ball(1.0)?, ball(3.0)?, ball(2.0)?], Tolerance::DEFAULT)?;
-    /// let bodies = nested.separate_bodies()?;
+    /// let bodies = nested.separate_bodies(Tolerance::DEFAULT)?;
     /// let n_shells: Vec<usize> = bodies.iter().map(|body| body.shells().count()).collect();
     /// assert_eq!(n_shells, [1, 2]);
     /// # Ok::<(), virote_kernel::GeomError>(())
@@ -73,7 +73,7 @@ impl Solid {
     ///
     /// # Errors
     /// Those of [`Self::bodies`].
-    pub fn separate_bodies(&self) -> Result<Vec<Self>, GeomError> {
+    pub fn separate_bodies(&self, tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let alone = |body: SolidBody| {
             let mut own = Self { faces: Vec::new(), shells: Vec::new() };
             for shell in [body.outer].into_iter().chain(body.voids) {
@@ -83,7 +83,7 @@ impl Solid {
             }
             own
         };
-        Ok(self.bodies()?.into_iter().map(alone).collect())
+        Ok(self.bodies(tolerance)?.into_iter().map(alone).collect())
     }
 
     /// The shells that lie in an odd number of others.

@@ -12,6 +12,17 @@ pub const ROOT_RELATIVE: f64 = 1e-18;
 /// Larger takes a jump for a root; smaller takes a steep root, such as that of a cube root, for a jump.
 pub const ROOT_JUMP_RELATIVE: f64 = 1e-3;
 
+/// How far beside a change of sign, as a share of the distance of the places that found it, a function is asked whether
+/// it jumps or is steep there.
+///
+/// Larger takes what the function does beside a jump for its slope; smaller tells no steep root from a jump.
+pub const JUMP_LOOK: f64 = 1e-6;
+
+/// A function that is no nearer to zero beside a change of sign than this share of what it is further away jumps over zero.
+///
+/// Larger refuses jumps beside which the function slopes; smaller loses steep roots, such as that of a tenth root.
+pub const JUMP_KEEPS: f64 = 0.99;
+
 /// A function whose least distance from zero is this fraction of its values touches zero there.
 ///
 /// Larger takes what comes near for a root; smaller takes rounding for a distance.

@@ -29,8 +29,8 @@ op! {
     /// its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     /// border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
     /// tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
-    /// places at equal distances tell apart, a jump over zero is passed over as well, and it is refused where more than every
-    /// fourth part between them holds one.
+    /// places at equal distances tell apart, a clear jump over zero is passed over as well, and it is refused where more than
+    /// every fourth part between them holds one.
     /// Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
     /// *Introduction to Interval Analysis*, §8.1.
     ///

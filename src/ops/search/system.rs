@@ -32,18 +32,7 @@ pub(super) fn solved(
         let value = asked(ctx, &function.value, place)?;
         let mut all = Vec::new();
         numbers(&value, function.span, &mut all)?;
-        let n_before = match n_residuals.get() {
-            0 => all.len(),
-            n_before => n_before,
-        };
-        n_residuals.set(n_before);
-        if all.len() != n_before || all.is_empty() {
-            let message = format!(
-                "the function yields {} numbers at {place}, and {n_before} before",
-                all.len()
-            );
-            return Diagnostic::error(Code::WrongKind, function.span, message).fail();
-        }
+        check_as_many(&n_residuals, all.len(), place, function.span)?;
         is_mixed |= all.iter().any(|number| common.take(number.looked_at()).is_err());
         if all.iter().any(|number| number.dim.length_power().is_none()) {
             dim = Dimension::OPEN;
@@ -87,6 +76,17 @@ pub(super) fn solved(
         return Ok((unknowns.found_by(dim).with_reals(&reals), found, of_residuals));
     }
     no_root(&unknowns, &found, start.span, is_small)
+}
+
+/// Whether the function yields as many numbers as before, one or more; the first count is kept.
+fn check_as_many(count: &Cell<usize>, n: usize, place: &Value, span: Span) -> Result<()> {
+    let n_before = if count.get() == 0 { n } else { count.get() };
+    count.set(n_before);
+    if n == n_before && n != 0 {
+        return Ok(());
+    }
+    let message = format!("the function yields {n} numbers at {place}, and {n_before} before");
+    Diagnostic::error(Code::WrongKind, span, message).fail()
 }
 
 /// Why there is no root, where the search ended.

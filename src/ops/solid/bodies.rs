@@ -20,5 +20,5 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Solid>> {
-    args.s.separate_bodies().at(ctx.span)
+    args.s.separate_bodies(ctx.tolerance).at(ctx.span)
 }

@@ -169,7 +169,9 @@ impl SkinOptions {
             }
             (None, Some((name, span))) if self.degree.value == 1 => Some((
                 span,
-                format!("a skin of degree 1 has no tangents to choose; leave out `{name}`, or state a `degree` of 2 or more"),
+                format!(
+                    "a skin of degree 1 has no tangents to choose; leave out `{name}`, or state a `degree` of 2 or more"
+                ),
             )),
             (None, Some((name, span))) if self.is_closed => {
                 Some((span, format!("a closed skin has no end where `{name}` could be")))

@@ -50,7 +50,7 @@ pub(super) fn contact(
     start: [f64; 2],
     equations: impl Fn([f64; 2]) -> ([f64; 2], [[f64; 2]; 2]),
 ) -> [f64; 2] {
-    let limits = ends.map(|end| end.limits());
+    let limits = ends.map(ContactEnd::limits);
     let is_still = |last: [f64; 2], next: [f64; 2]| {
         (0..2).all(|i| (next[i] - last[i]).abs() <= LAST_BIT * next[i].abs())
     };
