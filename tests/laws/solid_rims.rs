@@ -156,7 +156,7 @@ fn planes_beside_the_tip_of_a_cone_cut_through_it() {
     let cone = whole(NurbsSurface::cone(Frame::XY, [1.0, 0.0], 1.0).expect("a cone"));
     let cone = Solid::capped(&[cone], TOLERANCE).expect("a body");
     let (cos, chord) = (1.0 / 3.0, 8.0_f64.sqrt() / 3.0);
-    let segment = (f64::acos(cos) - cos * chord) / 3.0;
+    let segment = (libm::acos(cos) - cos * chord) / 3.0;
     let half = PI / 6.0;
     let cases = [(DVec3::X, [half; 2]), (DVec3::new(3.0, 0.0, 1.0), [PI / 3.0 - segment, segment])];
     for (normal, volumes) in cases {

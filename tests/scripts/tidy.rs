@@ -64,7 +64,7 @@ const PANICS: &[&str] = &[".unwrap()", ".expect(", "panic!(", "todo!(", "unimple
 /// Built-ins whose names are words of the language as well (a keyword, a kind of parameter, a field
 /// of what another built-in answers) or a habit of other languages that the parser knows.
 const WORDS_TOO: &[&str] =
-    &["table", "length", "assert", "scale", "region", "regions", "report", "solid"];
+    &["table", "length", "assert", "scale", "region", "regions", "report", "solid", "faces"];
 
 /// Where a small number may be written, and why.
 const SMALL_NUMBERS: &[(&str, &str)] = &[

@@ -26,7 +26,7 @@ op! {
     }
     example "area(offset(trim(sphere((0, 0), 1), by = XY, keep = \"above\"), 0.5)) ~= 2*pi*1.5^2" => "true";
     example "centroid(offset(face(region(circle((0, 0), 1))), 2)) ~= (0, 0, 2)" => "true";
-    refuses "offset(face(cylinder((0, 0), 1, 3)), -1.5)" => "E0617: an offset by -1.5 passes the centres of curvature, the nearest 1 away";
+    refuses "offset(face(cylinder((0, 0), 1, 3)), -1.5)" => "E0617: an offset by -1.5 passes the centres of curvature, the nearest 1 away, at (0.9304, 0.3667, 0.3757)";
     refuses "offset(face(plane_patch((0, 0), (1, 0), (0, 1))), 1, tolerance = 0)" => "E0607: the tolerance must be positive, found 0";
 }
 

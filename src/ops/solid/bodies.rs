@@ -16,7 +16,7 @@ op! {
         s: GivenSolid,
     }
     example "[for b in bodies(solid([sphere((0, 0), 3), sphere((0, 0), 2), sphere((0, 0), 1)])): len(b.shells)]" => "[2, 1]";
-    example "sum([for b in bodies(solid([box((0, 0, 0), (1, 1, 1)), box((2, 0, 0), (1, 1, 1))])): volume(b)]) ~= 2" => "true";
+    example "sum([for b in bodies(solid([...box((0, 0, 0), (1, 1, 1)), ...box((2, 0, 0), (1, 1, 1))])): volume(b)]) ~= 2" => "true";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Solid>> {
