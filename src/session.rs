@@ -94,7 +94,7 @@ pub struct Report {
     /// Meshes of its files.
     pub(crate) meshes: MeshMemory,
     /// Whether nothing of the script itself lacks a value; of what it imports a part is enough.
-    pub(crate) is_whole: bool,
+    pub is_whole: bool,
     /// Errors outside of its tests.
     n_untested_errors: usize,
 }
