@@ -15,6 +15,7 @@ mod options;
 mod path;
 mod picture;
 mod plan;
+mod remembered;
 mod review;
 mod stop;
 mod test;
