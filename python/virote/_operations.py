@@ -33,6 +33,7 @@ __all__: list[str] = [
     "angle_between",
     "approximate",
     "arc",
+    "arc_tangent",
     "arc_through",
     "area",
     "argmax",
@@ -49,6 +50,7 @@ __all__: list[str] = [
     "bilinear",
     "binormal",
     "binormal_line",
+    "bodies",
     "border",
     "bounds",
     "box",
@@ -113,6 +115,7 @@ __all__: list[str] = [
     "extrema",
     "extrude",
     "face",
+    "faces",
     "ferguson",
     "fillet",
     "first",
@@ -156,6 +159,7 @@ __all__: list[str] = [
     "length",
     "lerp",
     "line",
+    "line_tangent",
     "linspace",
     "ln",
     "load",
@@ -219,6 +223,7 @@ __all__: list[str] = [
     "second_form",
     "section",
     "self_intersections",
+    "shells",
     "sign",
     "signed_curvature",
     "sin",
@@ -393,6 +398,26 @@ def arc(center: PointLike, radius: Quantity, from_: Quantity, to: Quantity, *, n
     In scripts: ``arc(center: point, radius: length, from: angle, to: angle, normal: point = (0, 0, 1), x: point = none) -> curve``
     """
     return _called("arc", (), {"center": center, "radius": radius, "from_": from_, "to": to, "normal": normal, "x": x})  # type: ignore[no-any-return]
+
+
+def arc_tangent(a: PointLike | Curve, b: PointLike | Curve, radius: Quantity, *, near: PointLike | None = None, long: bool | None = None) -> Curve | list[Curve]:
+    """Exact arcs of a radius from a point or curve to another that touch each curve where they end: all of them, as a
+    list in the order of the parameters of the places of contact, or the one that comes nearest to the point `near`.
+
+    Both lie in one plane. An arc touches where the curve is, its ends included, but not in a corner; a point it
+    goes through. Of each circle it is the shorter arc, with `long = true` the rest of it. Centres are found where
+    offsets of the curves by the radius meet, which is complete up to the document's tolerance, and made exact by
+    Newton's method. Curves that run alongside at twice the radius have as many arcs as places, which is an error.
+
+    :param a: Where it starts: a point, or a curve that it touches.
+    :param b: Where it ends.
+    :param radius: Its radius, positive.
+    :param near: A point to which the one that is meant comes nearest.
+    :param long: Whether it goes the longer way around. Default: ``false``.
+
+    In scripts: ``arc_tangent(a: point | curve, b: point | curve, radius: length, near: point = none, long: bool = false) -> curve | list of curves``
+    """
+    return _called("arc_tangent", (), {"a": a, "b": b, "radius": radius, "near": near, "long": long})  # type: ignore[no-any-return]
 
 
 def arc_through(a: PointLike, b: PointLike, c: PointLike) -> Curve:
@@ -660,6 +685,18 @@ def binormal_line(c: Curve, t: float, *, length: Quantity | None = None, side: s
     In scripts: ``binormal_line(c: curve, t: number, length: length = 1, side: "right" | "left" = "right") -> curve``
     """
     return _called("binormal_line", (), {"c": c, "t": t, "length": length, "side": side})  # type: ignore[no-any-return]
+
+
+def bodies(s: Solid) -> list[Solid]:
+    """The bodies of a solid, each a solid: an outer shell, with the voids directly within it.
+
+    What lies in a void is a body of its own.
+
+    :param s: The solid.
+
+    In scripts: ``bodies(s: solid) -> list of solids``
+    """
+    return _called("bodies", (), {"s": s})  # type: ignore[no-any-return]
 
 
 if TYPE_CHECKING:
@@ -1131,7 +1168,24 @@ def continue_bezier(*args: Any, c: Any = None, order: Any = None, points: Any = 
 
 
 def continuity(*args: Any, a: Any = None, b: Any = None, tolerance: Any = None, angle: Any = None, curvature_gap: Any = None, edge_a: Any = None, edge_b: Any = None) -> dict[str, Any]:
-    """How smoothly a curve goes on in another, the end of `a` in the start of `b`; of one curve
+    """How smoothly a face goes on in another across the edges that they share, as `{g, gap, angle, curvature_gap, at}`.
+
+    `g` is the largest order up to 2 that holds along all of them: 0 an edge in common, 1 the same tangent plane, 2 the
+    same second fundamental tensor. `gap`, `angle` and `curvature_gap` tell how far edges, tangent planes and normal
+    curvatures differ at most, and `at` where: the place of the largest angle, or curvature gap where the planes agree.
+    An edge is shared as far as it runs within the document's tolerance of one of the other face. Each is looked at in
+    129 places. Planes are one within 1e-9 rad and what edges leave open, which are known within an eighth of the
+    tolerance; curvatures within a millionth. `tolerance`, `angle` and `curvature_gap` ask for other limits.
+
+    :param a: The first face.
+    :param b: The face that goes on.
+    :param tolerance: How far the edges may be apart; otherwise the document's tolerance, at most a thousandth of the size.
+    :param angle: By how much tangent planes may differ for G1.
+    :param curvature_gap: By how much normal curvatures may differ for G2.
+
+    In scripts: ``continuity(a: face, b: face, tolerance: length = none, angle: angle = none, curvature_gap: curvature = none) -> record``
+
+    How smoothly a curve goes on in another, the end of `a` in the start of `b`; of one curve
     alone the worst of its inner knots, of its seam where it is closed, and of the places where
     it stands still.
 
@@ -1150,7 +1204,6 @@ def continuity(*args: Any, a: Any = None, b: Any = None, tolerance: Any = None, 
 
     Linkeová, *Curves and Surfaces for Computer Graphics*, §1.2; Barsky & DeRose, *Geometric
     continuity of parametric curves*.
-
     :param a: The first curve.
     :param b: The curve that goes on, if it is another.
     :param tolerance: How far points may be apart at a joint; otherwise the document's tolerance, at most a thousandth of the size.
@@ -1727,7 +1780,8 @@ def difference(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
     is of triangles without normals; its new vertices are rounded, and no further away than that.
     It is checked before it is given: it closes, and its volume and that of what the meshes have in
-    common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    common add up to theirs. What would touch itself in an edge or a point is refused with the place. Where a list of several
+    comes first and others follow, a warning tells that only its first mesh is kept (W0013).
     :param meshes: The closed meshes; lists count as their members.
 
     In scripts: ``difference(meshes: list of meshes or lists of meshes) -> mesh | none``
@@ -1846,7 +1900,9 @@ def edges(*args: Any, s: Any = None, f: Any = None) -> list[Curve]:
 
     Where three faces meet edges end, and where an edge of one of them does. A seam over which one face goes is no edge. Along lines of
     constant parameters, on planes, and where they are conics, edges are exact; elsewhere splines within an eighth
-    of the document's tolerance; `report` of an edge bounds how far from both faces it is.
+    of the document's tolerance; `report` of an edge bounds how far from both faces it is. It tells as well whether it
+    is `convex`, the least `angle` between its faces through the inside by what 24 places show (90deg of a box, 270deg
+    of a notch), the numbers of its `faces`, and its `length`.
     :param s: The solid.
 
     In scripts: ``edges(s: solid) -> list of curves``
@@ -2030,6 +2086,16 @@ def face(*args: Any, s: Any = None, loops: Any = None, space: Any = None, r: Any
     In scripts: ``face(r: region) -> face``
     """
     return _called("face", args, {"s": s, "loops": loops, "space": space, "r": r})  # type: ignore[no-any-return]
+
+
+def faces(s: Solid) -> list[Face]:
+    """The faces of a solid, which look outward: `s.faces`.
+
+    :param s: The solid.
+
+    In scripts: ``faces(s: solid) -> list of faces``
+    """
+    return _called("faces", (), {"s": s})  # type: ignore[no-any-return]
 
 
 def ferguson(*args: Any, points: Any = None, tangents: Any = None) -> Curve:
@@ -2638,7 +2704,8 @@ def intersection(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
 
     The borders of the result are parts of the given ones, exactly. Borders that run within the
     document's tolerance of one another are one; those that come as near without being one are
-    refused with the place.
+    refused with the place. Where nothing is in all of them, and a list of several stands among others, a warning
+    tells that each of its members counts (W0013).
 
     :param regions: The regions, in one plane; lists count as their members.
 
@@ -2650,7 +2717,8 @@ def intersection(*args: Any, regions: Any = None, meshes: Any = None) -> Any:
     nowhere: `tessellate` makes such of surfaces that close. Faces that coincide are one. The result
     is of triangles without normals; its new vertices are rounded, and no further away than that.
     It is checked before it is given: it closes, and its volume and that of what the meshes have in
-    common add up to theirs. What would touch itself in an edge or a point is refused with the place.
+    common add up to theirs. What would touch itself in an edge or a point is refused with the place. Where nothing is in all
+    of them, and a list of several stands among others, a warning tells that each of its members counts (W0013).
     :param meshes: The closed meshes; lists count as their members.
 
     In scripts: ``intersection(meshes: list of meshes or lists of meshes) -> mesh | none``
@@ -2901,6 +2969,25 @@ def line(a: PointLike, b: PointLike) -> Curve:
     return _called("line", (), {"a": a, "b": b})  # type: ignore[no-any-return]
 
 
+def line_tangent(a: PointLike | Curve, b: PointLike | Curve, *, near: PointLike | None = None) -> Curve | list[Curve]:
+    """Straight lines from a point or curve to another that touch each curve where they end: all of them, as a list in
+    the order of the parameters of the places of contact, or the one that comes nearest to the point `near`.
+
+    Both lie in one plane. A line touches where the curve is, its ends included, but not in a corner, nor where the
+    curve stands still; straight parts of a curve touch nothing. Found completely, as lines that the tangents of
+    both have in common, up to what touches within a millionth of a piece beside a standstill, and made exact by
+    Newton's method. Curves that have a stretch in common have as many tangents as that has places, which is an
+    error.
+
+    :param a: Where it starts: a point, or a curve that it touches.
+    :param b: Where it ends.
+    :param near: A point to which the one that is meant comes nearest.
+
+    In scripts: ``line_tangent(a: point | curve, b: point | curve, near: point = none) -> curve | list of curves``
+    """
+    return _called("line_tangent", (), {"a": a, "b": b, "near": near})  # type: ignore[no-any-return]
+
+
 def linspace(a: Quantity, b: Quantity, n: float) -> FloatArray:
     """`n` numbers at equal distances from `a` to `b`, both included.
 
@@ -2954,7 +3041,9 @@ def loft(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     neighbours with as many corners have them at the same parameters, so that edges of the
     surface run through them. The sections stand at parameters averaged from
-    the distances of their control points, over knots averaged from these. With a spine the
+    the distances of their control points, over knots averaged from these; of sections of unlike weights from distances
+    in homogeneous space about the first control point, in which a weight counts as a length of the document's unit,
+    or with "places" from those of their places, whatever the unit. With a spine the
     derivatives by v at the sections point along its tangents, and v is its parameter. Where
     weights between rational sections do not stay positive, a warning says so; with a tolerance,
     or where they would vanish, these sections become splines within it.
@@ -2975,7 +3064,7 @@ def loft(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     :param pairing: Whether points of equal parameter or of equal fraction of the length belong together; by "length", sections of uneven speed become cubic splines within the tolerance. Default: ``"parameter"``.
     :param tolerance: How far sections may move so that the surface has fewer knots along them.
 
-    In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
+    In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "places" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
 
     Solid through regions, whose ends are the first and the last of them.
 
@@ -2984,13 +3073,18 @@ def loft(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     ends.
     :param sections: The regions in order, two or more.
     :param degree: The degree along v, from 1; fewer regions than degree + 1 lower it. Default: ``3``.
-    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"average"``.
+    :param spine: A curve whose tangents the sides take at the regions; degree 2 or 3.
+    :param at: The parameters of the spine at the regions.
+    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"places"``.
     :param closed: Whether the solid goes on from the last region to the first, as smooth there as anywhere. Default: ``false``.
     :param align: Whether borders are turned around, and seams moved, to run beside their neighbours. Default: ``true``.
+    :param start_tangent: The derivative by v along the borders of the first region: a vector, or a curve of vectors.
+    :param end_tangent: The derivative by v along those of the last region.
     :param shape: Whether the sides may swing out between regions. Default: ``"free"``.
+    :param pairing: Whether points of equal parameter or of equal fraction of the length belong together; by "length", borders of uneven speed become cubic splines within the tolerance. Default: ``"parameter"``.
     :param tolerance: How far borders may move so that the sides have fewer knots along them.
 
-    In scripts: ``skin(sections: list of regions, degree: integer = 3, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, shape: "free" | "monotone" = "free", tolerance: length = none) -> solid``
+    In scripts: ``skin(sections: list of regions, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "places" | "centripetal" | "uniform" | list of numbers without units = "places", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> solid``
     """
     return _called("loft", args, {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})
 
@@ -3332,10 +3426,13 @@ if TYPE_CHECKING:
     def offset(s: Surface, distance: Quantity, tolerance: Quantity) -> Surface: ...
 
     @overload
+    def offset(f: Face, distance: Quantity, *, tolerance: Quantity | None = None) -> Face: ...
+
+    @overload
     def offset(r: Region, distance: Quantity, *, corner: str | None = None) -> list[Region]: ...
 
 
-def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None, r: Any = None, corner: Any = None) -> Any:
+def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, s: Any = None, tolerance: Any = None, f: Any = None, r: Any = None, corner: Any = None) -> Any:
     """Curve at a distance beside another one, to the right of it seen against the normal: a curve
     that runs counter-clockwise about the normal grows for a positive distance.
 
@@ -3374,6 +3471,18 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
 
     In scripts: ``offset(s: surface, distance: length, tolerance: length) -> surface``
 
+    Face at a distance beside another one, on the side of its normal for a positive distance: the part of the offset
+    of its surface within the same curves of parameters.
+
+    Exact on planes, spheres, cylinders, cones and tori; other surfaces as `offset` of a surface tells. Where the
+    whole surface has no offset, because of a crease beside the face for one, that of the part around the face is
+    taken. A distance that passes a centre of curvature is refused.
+    :param f: The face.
+    :param distance: The distance; a negative one goes against the normal.
+    :param tolerance: How far the result may be from the true offset; otherwise the document's tolerance.
+
+    In scripts: ``offset(f: face, distance: length, tolerance: length = none) -> face``
+
     Region grown by a distance, shrunk by a negative one, as a list of its parts, the largest first, as
     it may fall apart; `[]` where nothing is left.
 
@@ -3388,7 +3497,7 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
 
     In scripts: ``offset(r: region, distance: length, corner: "round" | "miter" | "bevel" = "round") -> list of regions``
     """
-    return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance, "r": r, "corner": corner})
+    return _called("offset", args, {"c": c, "distance": distance, "normal": normal, "s": s, "tolerance": tolerance, "f": f, "r": r, "corner": corner})
 
 
 def orient(surfaces: Any) -> list[Face | Surface]:
@@ -3903,7 +4012,9 @@ def report(g: Any) -> Any:
 
     Of any solid it tells what it is made of: the numbers of its `faces`, `edges`, `vertices`, `shells`, `bodies`
     and handles (`genus`), its `volume` and `area`, the length of its shortest edge (`least_edge`, `none` without
-    edges), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
+    edges), the sharpest angle between faces along an edge, inside or outside, by what 24 places of each show
+    (`least_angle`), a bound of how far an edge is from its faces (`deviation`), how far ends of edges are apart that
+    became one vertex (`welded`), and that it is `closed`. `volume_error` bounds what the volume may be off by: by what is known of the
     integral, and by what faces may miss one another within the document's tolerance along their edges.
 
     :param g: A curve or surface as a construction returned it, a solid, or a list of them.
@@ -4182,6 +4293,18 @@ def self_intersections(c: Curve) -> list[dict[str, Any]]:
     return _called("self_intersections", (), {"c": c})  # type: ignore[no-any-return]
 
 
+def shells(s: Solid) -> list[list[Face]]:
+    """The faces of each shell of a solid, outer ones and voids: `s.shells`.
+
+    A shell is what hangs together over edges. `bodies` has each outer one with its voids.
+
+    :param s: The solid.
+
+    In scripts: ``shells(s: solid) -> list of lists of faces``
+    """
+    return _called("shells", (), {"s": s})  # type: ignore[no-any-return]
+
+
 def sign(x: Quantity) -> float:
     """Sign of a number: -1, 0 or 1.
 
@@ -4241,7 +4364,9 @@ def skin(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     of aerofoils, all seams go to corners that belong together, smooth ones beside them;
     neighbours with as many corners have them at the same parameters, so that edges of the
     surface run through them. The sections stand at parameters averaged from
-    the distances of their control points, over knots averaged from these. With a spine the
+    the distances of their control points, over knots averaged from these; of sections of unlike weights from distances
+    in homogeneous space about the first control point, in which a weight counts as a length of the document's unit,
+    or with "places" from those of their places, whatever the unit. With a spine the
     derivatives by v at the sections point along its tangents, and v is its parameter. Where
     weights between rational sections do not stay positive, a warning says so; with a tolerance,
     or where they would vanish, these sections become splines within it.
@@ -4262,7 +4387,7 @@ def skin(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     :param pairing: Whether points of equal parameter or of equal fraction of the length belong together; by "length", sections of uneven speed become cubic splines within the tolerance. Default: ``"parameter"``.
     :param tolerance: How far sections may move so that the surface has fewer knots along them.
 
-    In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
+    In scripts: ``skin(sections: list of curves or points, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "places" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> surface``
 
     Solid through regions, whose ends are the first and the last of them.
 
@@ -4271,13 +4396,18 @@ def skin(*args: Any, sections: Any = None, degree: Any = None, spine: Any = None
     ends.
     :param sections: The regions in order, two or more.
     :param degree: The degree along v, from 1; fewer regions than degree + 1 lower it. Default: ``3``.
-    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"average"``.
+    :param spine: A curve whose tangents the sides take at the regions; degree 2 or 3.
+    :param at: The parameters of the spine at the regions.
+    :param parameters: Where in v the regions stand: by a rule, or listed. A closed skin takes one more, for its return to the first region. Default: ``"places"``.
     :param closed: Whether the solid goes on from the last region to the first, as smooth there as anywhere. Default: ``false``.
     :param align: Whether borders are turned around, and seams moved, to run beside their neighbours. Default: ``true``.
+    :param start_tangent: The derivative by v along the borders of the first region: a vector, or a curve of vectors.
+    :param end_tangent: The derivative by v along those of the last region.
     :param shape: Whether the sides may swing out between regions. Default: ``"free"``.
+    :param pairing: Whether points of equal parameter or of equal fraction of the length belong together; by "length", borders of uneven speed become cubic splines within the tolerance. Default: ``"parameter"``.
     :param tolerance: How far borders may move so that the sides have fewer knots along them.
 
-    In scripts: ``skin(sections: list of regions, degree: integer = 3, parameters: "average" | "centripetal" | "uniform" | list of numbers without units = "average", closed: bool = false, align: bool = true, shape: "free" | "monotone" = "free", tolerance: length = none) -> solid``
+    In scripts: ``skin(sections: list of regions, degree: integer = 3, spine: curve = none, at: list of numbers without units = none, parameters: "average" | "places" | "centripetal" | "uniform" | list of numbers without units = "places", closed: bool = false, align: bool = true, start_tangent: point | curve = none, end_tangent: point | curve = none, shape: "free" | "monotone" = "free", pairing: "parameter" | "length" = "parameter", tolerance: length = none) -> solid``
     """
     return _called("skin", args, {"sections": sections, "degree": degree, "spine": spine, "at": at, "parameters": parameters, "closed": closed, "align": align, "start_tangent": start_tangent, "end_tangent": end_tangent, "shape": shape, "pairing": pairing, "tolerance": tolerance})
 
@@ -4311,7 +4441,8 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     its values and slopes prove where its roots are and that there are no others; where roots coincide, lie at the
     border or only touch zero it is looked at closely what that proof leaves open: what is zero as far as rounding
     tells is a root, and a pole or a step is passed over. Of any other function the list holds every root that 256
-    places at equal distances tell apart, and is refused where more than every fourth part between them holds one.
+    places at equal distances tell apart, a clear jump over zero is passed over as well, and it is refused where more than
+    every fourth part between them holds one.
     Chandrupatla, *A new hybrid quadratic/bisection algorithm*, Adv. Eng. Software 28 (1997); Moore, Kearfott & Cloud,
     *Introduction to Interval Analysis*, §8.1.
 
@@ -4328,7 +4459,7 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     :param within: The range in which the root is.
     :param start: Where the search begins, instead of a range.
     :param all: Whether all roots are wanted, as a list; without it one is. Default: ``false``.
-    :param report: Whether a record tells how it was found: `root`, the `residual` there, `evaluations`, and whether it is `proven`: that a root is there, and with `all` that there is no other. Default: ``false``.
+    :param report: Whether a record tells how it was found: `root`, the `residual` there, of several numbers the largest, with a unit where they have one together, `evaluations`, and whether it is `proven`: that a root is there, and with `all` that there is no other. Default: ``false``.
 
     In scripts: ``solve(f: function, within: range = none, start: any = none, all: bool = false, report: bool = false) -> any``
     """
@@ -4500,7 +4631,7 @@ if TYPE_CHECKING:
     def sweep(section: Curve, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, rail: Curve | Sequence[Curve] | None = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Surface: ...
 
     @overload
-    def sweep(r: Region, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, corner: str | None = None, tolerance: Quantity | None = None) -> Solid: ...
+    def sweep(r: Region, path: Curve, *, frame: str | None = None, scale: Any = None, twist: Quantity | FunctionLike | None = None, up: PointLike | None = None, rail: Curve | None = None, corner: str | None = None, keep_path: bool | None = None, sections: float | None = None, method: str | None = None, tolerance: Quantity | None = None) -> Solid: ...
 
 
 def sweep(*args: Any, section: Any = None, path: Any = None, frame: Any = None, scale: Any = None, twist: Any = None, up: Any = None, rail: Any = None, corner: Any = None, keep_path: Any = None, sections: Any = None, method: Any = None, tolerance: Any = None, r: Any = None) -> Any:
@@ -4552,10 +4683,14 @@ def sweep(*args: Any, section: Any = None, path: Any = None, frame: Any = None, 
     :param scale: The size along the way: a factor, one for each axis as a point, a list of these at even parameters with straight lines between, or a function of v.
     :param twist: The turn about the path: an angle that is reached at the end, or a function of v.
     :param up: Where z points at the start; (0, 0, 1), or (1, 0, 0) where the path starts along it.
+    :param rail: A curve that z points to, at the same fraction of its domain.
     :param corner: What happens at corners of the path: an error, or both sides meet in the plane that halves the angle. Default: ``"error"``.
+    :param keep_path: Whether the path itself is met exactly. Default: ``true``.
+    :param sections: How many placements of the region make the sides, instead of a tolerance; with `keep_path` no fewer than the path has control points, without it at even parameters.
+    :param method: What the sides are made of: they pass through "placements" of the borders; or "offsets" of the path's control points by those of the borders, which take more columns and never swing out. Default: ``"placements"``.
     :param tolerance: How far the sides may be from the true ones; the document's tolerance.
 
-    In scripts: ``sweep(r: region, path: curve, frame: "translate" | "fixed" | "frenet" | "projection" | "rotation_minimizing" = "rotation_minimizing", scale: number | point | list of numbers without units or points | function = none, twist: angle | function = none, up: point = none, corner: "error" | "miter" = "error", tolerance: length = none) -> solid``
+    In scripts: ``sweep(r: region, path: curve, frame: "translate" | "fixed" | "frenet" | "projection" | "rotation_minimizing" = "rotation_minimizing", scale: number | point | list of numbers without units or points | function = none, twist: angle | function = none, up: point = none, rail: curve = none, corner: "error" | "miter" = "error", keep_path: bool = true, sections: integer = none, method: "placements" | "offsets" = "placements", tolerance: length = none) -> solid``
     """
     return _called("sweep", args, {"section": section, "path": path, "frame": frame, "scale": scale, "twist": twist, "up": up, "rail": rail, "corner": corner, "keep_path": keep_path, "sections": sections, "method": method, "tolerance": tolerance, "r": r})
 
@@ -5000,7 +5135,7 @@ def upper(text: str) -> str:
     return _called("upper", (), {"text": text})  # type: ignore[no-any-return]
 
 
-def vertices(c: Curve) -> FloatArray:
+def vertices(*args: Any, c: Any = None, s: Any = None) -> FloatArray:
     """Parameters where the curvature of a curve has a local extremum, in order.
 
     Of a planar curve the signed curvature counts. Ends of an open curve and corners are none, and
@@ -5012,11 +5147,18 @@ def vertices(c: Curve) -> FloatArray:
     :param c: The curve.
 
     In scripts: ``vertices(c: curve) -> list of numbers``
+
+    The points where edges of a solid end: `s.vertices`.
+
+    A closed edge, as the rim of a cylinder, ends where it starts.
+    :param s: The solid.
+
+    In scripts: ``vertices(s: solid) -> list of points``
     """
-    return _called_for(1, "vertices", (), {"c": c})  # type: ignore[no-any-return]
+    return _called("vertices", args, {"c": c, "s": s})  # type: ignore[no-any-return]
 
 
-def volume(*args: Any, s: Any = None, m: Any = None) -> float:
+def volume(*args: Any, s: Any = None, accuracy: Any = None, m: Any = None) -> float:
     """Volume that closed surfaces enclose, or faces whose edges run together.
 
     The surfaces must close: every edge meets another one within the document's tolerance, or is
@@ -5033,10 +5175,12 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> float:
     Volume of a solid: the flux of the position through its faces by the theorem of Gauss, to some 12 digits where
     they are smooth.
 
-    Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that allows.
+    Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that
+    allows: `volume_error` of its `report` is a bound. With `accuracy` a volume that is not known as well is refused.
     :param s: The solid.
+    :param accuracy: What the bound of the volume's error may be at most.
 
-    In scripts: ``volume(s: solid) -> volume``
+    In scripts: ``volume(s: solid, accuracy: volume = none) -> volume``
 
     Volume that a closed mesh encloses, on whichever side its triangles face.
 
@@ -5048,7 +5192,7 @@ def volume(*args: Any, s: Any = None, m: Any = None) -> float:
 
     In scripts: ``volume(m: mesh | none) -> volume``
     """
-    return _called("volume", args, {"s": s, "m": m})  # type: ignore[no-any-return]
+    return _called("volume", args, {"s": s, "accuracy": accuracy, "m": m})  # type: ignore[no-any-return]
 
 
 def wireframe(s: Surface, u: Any, v: Any) -> list[Curve]:

@@ -183,7 +183,7 @@ def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str | None]]:
             raise TypeError(f"a row of a plan is a dictionary, found {type(row).__name__}")
         if i == 0:
             names = list(row)
-            yield names
+            yield [*names]
         if list(row) != names:
             raise ValueError(f"row {i + 1} of the plan gives {list(row)}, the first one {names}")
         yield [_cell(name, value, texts) for name, value in row.items()]
