@@ -214,10 +214,15 @@ def _cell(name: str, value: Any, texts: frozenset[str]) -> str | None:
 def _never_blank(lines: Iterator[list[str | None]]) -> Iterator[list[str | None]]:
     """Lines of a table; a missing cell of a single column would be a blank line, which is no row."""
     header = next(lines)
-    is_single = len(header) == 1 and header != ["id"]
-    yield [*header, "id"] if is_single else header
+    if len(header) > 1:
+        yield header
+        yield from lines
+        return
+    is_id = header == ["id"]
+    yield header if is_id else [*header, "id"]
     for cells in lines:
-        yield [*cells, None] if is_single else cells
+        # An empty name is none.
+        yield [cells[0] or ""] if is_id else [*cells, None]
 
 
 def _csv_line(cells: Iterable[str | None]) -> str:

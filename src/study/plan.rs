@@ -41,6 +41,8 @@ struct PlanColumn {
     /// As the header of a file gives it.
     unit: Option<String>,
     role: ColumnRole,
+    /// Whether blanks around a cell count: of a text that may be any.
+    keeps_blanks: bool,
 }
 
 /// What the cells of a column are.
@@ -90,6 +92,7 @@ impl Plan {
             name: one.name.clone(),
             unit: None,
             role: ColumnRole::Id,
+            keeps_blanks: false,
         };
         Ok(Self {
             columns: varied.iter().map(column).collect(),
@@ -109,6 +112,7 @@ impl Plan {
                 name: name.to_owned(),
                 unit: unit.map(str::to_owned),
                 role: ColumnRole::Id,
+                keeps_blanks: false,
             }
         };
         Ok(Self { columns: titles.iter().map(column).collect(), source: PlanSource::File(file) })
@@ -191,9 +195,9 @@ impl Plan {
         let (mut id, mut settings) = (Json::from(number), Vec::new());
         for (column, cell) in self.columns.iter().zip(&row.cells) {
             let Some(cell) = cell else { continue };
-            // A text is what stands there, blanks and all.
+            // A text is what stands there, blanks and all, unless it is one of a list.
             let is_text = column.role == ColumnRole::Parameter(TEXT);
-            let cell = if is_text { cell } else { cell.trim() };
+            let cell = if column.keeps_blanks { cell } else { cell.trim() };
             match column.role {
                 _ if cell.is_empty() && !is_text => {}
                 ColumnRole::Id => {
@@ -228,6 +232,7 @@ impl PlanColumn {
             return Err(unknown(name, &schema.parameters));
         };
         self.role = ColumnRole::Parameter(parameter.kind);
+        self.keeps_blanks = parameter.kind == TEXT && parameter.allowed.is_none();
         let Some(unit) = &mut self.unit else { return Ok(()) };
         if unit == "°" {
             "deg".clone_into(unit);

@@ -12,53 +12,20 @@ use super::{
     Angle, Dimension, FromValue, IntoValue, Length, Mismatch, Number, Range, Real, Type, Value,
     Vector, parameter_range::check_plain,
 };
-use crate::{
-    diag::Span,
-    kernel::{GeomError, Interval, LocalError},
-};
+use crate::{diag::Span, kernel::Interval};
 
 /// What carries derivatives on, as a hint.
 pub const CARRIES_DERIVATIVES: &str = "derivatives pass through arithmetic, the functions of numbers and points, geometry that is made of given points with all else fixed, and its lengths, areas, volumes and places";
 
-/// A number of which an operation makes one that stays the same between jumps.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LocallyConstant(Number<Real>);
-
-impl LocallyConstant {
-    /// The number alone.
-    #[must_use]
-    pub fn looked_at(&self) -> Number {
-        self.0.looked_at()
-    }
-
-    /// What a function makes of it that stays the same between jumps, and so has no derivatives.
-    ///
-    /// # Errors
-    /// [`LocalError::NotDifferentiable`] at a jump of what depends on variables; `what` names the function there.
-    pub fn step(
-        &self,
-        what: &'static str,
-        function: impl Fn(f64) -> f64,
-    ) -> Result<f64, GeomError> {
-        let at = self.0.value.value();
-        let value = function(at);
-        let jumps = |beside: f64| 0.0 < (function(beside) - value).abs();
-        match &self.0.value {
-            Real::Jet(jet)
-                if jet.goes_both_ways() && (jumps(at.next_down()) || jumps(at.next_up())) =>
-            {
-                Err(LocalError::NotDifferentiable { what, at }.into())
-            }
-            _ => Ok(value),
-        }
-    }
-}
+/// A number that is only looked at: what an operation answers does not change nearby.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LocallyConstant(pub Number);
 
 impl FromValue for LocallyConstant {
     const TYPE: Type = Type::Number;
 
     fn from_value(value: &Value, span: Span) -> Result<Self, Mismatch> {
-        Number::<Real>::from_value(value, span).map(Self)
+        Number::<Real>::from_value(value, span).map(|number| Self(number.looked_at()))
     }
 }
 

@@ -70,14 +70,15 @@ impl RealCurve {
     /// C, C', … up to an order, at a parameter that varies.
     ///
     /// # Errors
-    /// As for [`Curve::derivatives_beside`], and where a derivative is no number, or goes over from one to another.
+    /// As for [`Curve::derivatives_beside`], and where a derivative is no number, or that of a point goes over from one to another.
     pub fn series_beside(
         &self,
         t: &Jet,
         side: Side,
         order: usize,
     ) -> Result<Vec<Vector>, GeomError> {
-        if t.goes_both_ways() && !self.curve.is_smooth_at(t.value(), order + 1) {
+        // Directions and curvatures may go on where derivatives by the parameter do not: of them the side is asked for.
+        if order == 0 && t.goes_both_ways() && !self.curve.is_smooth_at(t.value(), 1) {
             let what = "the curve at its knot";
             return Err(LocalError::NotDifferentiable { what, at: t.value() }.into());
         }

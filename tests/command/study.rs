@@ -487,7 +487,8 @@ fn a_text_is_what_stands_there() {
     scratch.file("a.geo", "param name = \"x\"\nparam n = 1\nlet told = \"[{name}]{n}\"\n");
     scratch.file("plan.csv", "name, n\n c , 2\n\"\",\"\"\n,3\n\" d\",\n");
     let told_of = |args: &[&str]| {
-        let (_, err, code) = study(&scratch, &[args, &["-o", "r.csv", "--want", "told"]].concat());
+        let (_, err, code) =
+            study(&scratch, &[args, &["-o", "r.csv", "--want", "told", "--fresh"]].concat());
         assert_eq!(code, 0, "{err}");
         let results = fs::read_to_string(scratch.0.join("r.csv")).expect("results");
         let cell = |line: &str| {

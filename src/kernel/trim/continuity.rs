@@ -13,8 +13,11 @@ use crate::{
     tolerance::{BEND_AGREES, EDGE_SHARE},
 };
 
-/// Places of each edge, beside its ends, at which faces are compared.
-const N_PLACES: usize = 129;
+/// Places of each edge, in the middle of as many equal parts, at which faces are compared.
+const N_PLACES: usize = 128;
+
+/// The cosine between the ways of edges that faces share: at a corner of the other face one runs across.
+const LEAST_COSINE: f64 = 0.9;
 
 /// Neighbouring places of an edge that must be on the other face's border for faces to share it, so that a corner
 /// alone is no edge.
@@ -90,32 +93,38 @@ impl Face {
         tolerance: impl Into<JointTolerance>,
     ) -> Result<FaceContinuity, GeomError> {
         let tolerance = tolerance.into();
-        let own = self.edges(tolerance.document)?;
-        let others = other.edges(tolerance.document)?;
+        let edges = [self.edges(tolerance.document)?, other.edges(tolerance.document)?];
         let size = self.surface().bounds().union(other.surface().bounds()).diagonal();
         let distance = tolerance.distance_for(size, 0.0);
         let mut nearest = Worst { value: f64::NEG_INFINITY, at: self.border_place() };
         let mut found: Option<Joint> = None;
-        for edge in &own {
-            let mut run: Vec<[FaceSide; 2]> = Vec::new();
-            for t in edge.domain().steps(N_PLACES - 1) {
-                GeomError::go_on(1)?;
-                let point = edge.point_at(t);
-                let foot = foot_on(&others, point, distance);
-                let met = foot.filter(|&(_, _, gap)| gap <= distance);
-                if let Some((_, _, gap)) = foot {
-                    nearest.raise(-gap, point);
+        // What is short beside the edges of one is long beside those of the other.
+        for ([one, another], [own, others]) in
+            [([self, other], [&edges[0], &edges[1]]), ([other, self], [&edges[1], &edges[0]])]
+        {
+            for edge in own {
+                let mut run: Vec<[FaceSide; 2]> = Vec::new();
+                for k in 0..N_PLACES {
+                    GeomError::go_on(1)?;
+                    let t = edge.domain().at((k as f64 + 0.5) / N_PLACES as f64);
+                    let [point, way] = [0, 1].map(|order| edge.derivatives_at(t, 1)[order]);
+                    let foot = foot_on(others, [point, way], distance);
+                    if let Some((_, _, gap)) = foot {
+                        nearest.raise(-gap, point);
+                    }
+                    let met = foot.filter(|&(_, along, gap)| {
+                        gap <= distance && LEAST_COSINE <= cosine(way, along)
+                    });
+                    let sides = met.and_then(|(place, along, _)| {
+                        Some([FaceSide::of(one, point, way)?, FaceSide::of(another, place, along)?])
+                    });
+                    match sides {
+                        Some(sides) => run.push(sides),
+                        None => Joint::take(&mut found, &mut run, &tolerance, distance),
+                    }
                 }
-                let sides = met.and_then(|(place, along, _)| {
-                    let way = edge.derivatives_at(t, 1)[1];
-                    Some([FaceSide::of(self, point, way)?, FaceSide::of(other, place, along)?])
-                });
-                match sides {
-                    Some(sides) => run.push(sides),
-                    None => Joint::take(&mut found, &mut run, &tolerance, distance),
-                }
+                Joint::take(&mut found, &mut run, &tolerance, distance);
             }
-            Joint::take(&mut found, &mut run, &tolerance, distance);
         }
         match found {
             Some(joint) => Ok(joint.told()),
@@ -124,16 +133,32 @@ impl Face {
     }
 }
 
-/// The nearest place of edges to a point, with the way of the edge there and the distance.
-fn foot_on(edges: &[NurbsCurve], point: DVec3, distance: f64) -> Option<(DVec3, DVec3, f64)> {
+/// Of the angle between the lines along two ways.
+fn cosine(one: DVec3, other: DVec3) -> f64 {
+    one.dot(other).abs() / (norm(one) * norm(other)).max(f64::MIN_POSITIVE)
+}
+
+/// The nearest place of edges to a point on a way, with the way of the edge there and the distance; of edges within the
+/// distance that which runs most along the way.
+fn foot_on(
+    edges: &[NurbsCurve],
+    [point, way]: [DVec3; 2],
+    distance: f64,
+) -> Option<(DVec3, DVec3, f64)> {
     let mut nearest: Option<(DVec3, DVec3, f64)> = None;
     for edge in edges {
-        let least = nearest.map_or(f64::INFINITY, |nearest| nearest.2);
-        if edge.bounds().distance(point) < least {
+        let least = nearest.map_or(f64::INFINITY, |nearest| nearest.2.max(distance));
+        if edge.bounds().distance(point) <= least {
             let foot = edge.closest(point, distance);
-            if foot.distance < least {
-                let way = edge.derivatives_at(foot.parameter, 1)[1];
-                nearest = Some((foot.point, way, foot.distance));
+            let along = edge.derivatives_at(foot.parameter, 1)[1];
+            let is_better = nearest.is_none_or(|(_, before, gap)| {
+                if gap <= distance && foot.distance <= distance {
+                    return cosine(way, before) < cosine(way, along);
+                }
+                foot.distance < gap
+            });
+            if is_better {
+                nearest = Some((foot.point, along, foot.distance));
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::{check_whole, rounded_dim};
 use crate::{
     diag::Result,
-    value::{At, Ctx, LocallyConstant, Number, OnNumbers, op},
+    value::{Ctx, LocallyConstant, Number, OnNumbers, op},
 };
 
 op! {
@@ -14,13 +14,11 @@ op! {
     }
     example "floor(-1.5)" => "-2";
     refuses "floor(400deg)" => "E0303: an angle has no digits of its own: degrees are no radians";
-    refuses "gradient(x => floor(x), 2)" => "E0503: `floor` has no derivative at 2";
     on_numbers OnNumbers::One(rounded_dim, f64::floor);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let x = args.x.looked_at();
+    let LocallyConstant(x) = args.x;
     check_whole(x, OP.name, ctx.span)?;
-    let value = args.x.step("`floor`", f64::floor).at(ctx.span)?;
-    Ok(Number { value, ..x })
+    Ok(Number { value: x.value.floor(), ..x })
 }

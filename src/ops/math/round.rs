@@ -3,7 +3,7 @@
 use super::{check_whole, rounded_dim};
 use crate::{
     diag::{Result, Spanned},
-    value::{At, Ctx, Dimension, LocallyConstant, Maybe, Number, OnNumbers, op, rounded_to},
+    value::{Ctx, Dimension, LocallyConstant, Maybe, Number, OnNumbers, op, rounded_to},
 };
 
 op! {
@@ -22,7 +22,6 @@ op! {
     example "round(pi, 3)" => "3.142";
     example "round(1234, -2)" => "1200";
     refuses "round(30.26deg, 1)" => "E0303: an angle has no digits of its own: degrees are no radians";
-    refuses "gradient(x => round(x), 0.5)" => "E0503: `round` has no derivative at 0.5";
     on_numbers OnNumbers::OneOrTwo {
         one: (rounded_dim, f64::round),
         two: (with_digits, rounded_to_digits),
@@ -30,13 +29,13 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Number> {
-    let x = args.x.looked_at();
+    let LocallyConstant(x) = args.x;
     check_whole(x, OP.name, ctx.span)?;
-    let value = args.x.step("`round`", |x| match &args.digits.0 {
-        None => x.round(),
-        Some(digits) => rounded_to(x, digits.value),
-    });
-    Ok(Number { value: value.at(ctx.span)?, ..x })
+    let value = match args.digits.0 {
+        None => x.value.round(),
+        Some(digits) => rounded_to(x.value, digits.value),
+    };
+    Ok(Number { value, ..x })
 }
 
 /// An angle has no digits of its own.

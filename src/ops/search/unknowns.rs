@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Answers, Jet, Wanted},
+    kernel::{Answers, Jet, Wanted, tolerance::EXACT_RELATIVE},
     value::{Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, Vector},
 };
 
@@ -67,7 +67,11 @@ impl Unknowns {
     /// # Errors
     /// One that does not.
     pub(super) fn check_inside(&self, bounds: &[[f64; 2]], span: Span) -> Result<()> {
-        let is_outside = |(value, [low, high]): (&f64, &[f64; 2])| value < low || high < value;
+        // A bound that was computed may be off by its roundings.
+        let is_outside = |(&value, &[low, high]): (&f64, &[f64; 2])| {
+            let slack = |end: f64| if end.is_finite() { EXACT_RELATIVE * end.abs() } else { 0.0 };
+            value < low - slack(low) || high + slack(high) < value
+        };
         if !self.values.iter().zip(bounds).any(is_outside) {
             return Ok(());
         }
