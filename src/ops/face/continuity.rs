@@ -32,7 +32,7 @@ op! {
     }
     example "{ let parts = split(sphere((0, 0), 2), by = XY)  continuity(parts[0], parts[1]).g }" => "2";
     example "{ let b = solid(cylinder((0, 0), 1, 3), cap = true)  continuity(b.faces[0], b.faces[1]).angle ~= 90deg within 1e-6deg }" => "true";
-    refuses "continuity(face(plane_patch((0, 0), (1, 0), (0, 1))), face(plane_patch((3, 0), (1, 0), (0, 1))))" => "E0607: the faces share no edge: where they come nearest their borders are 2 apart, at (1, 0.00390625, 0)";
+    refuses "continuity(face(plane_patch((0, 0), (1, 0), (0, 1))), face(plane_patch((3, 0), (1, 0), (0, 1))))" => "E0607: the faces share no edge: where they come nearest their borders are 2 apart, at (1, 0.003906, 0)";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
