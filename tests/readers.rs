@@ -281,12 +281,13 @@ fn forms_of_obj_that_other_programs_write_are_read() {
     area("o a\nf 1 2 3\ng b\nf 1 3 4\n");
     // A corner that stands twice is one, and a face of two is none.
     area("f 1 1 2 3 3 4 4 1\n");
-    let leaves_out = |text: &str| {
-        let told = "line 5: the face names a vertex twice and has no area; it is left out";
-        check("obj", format!("{SQUARE}{text}").as_bytes(), "area(it)", Err(told));
+    let leaves_out_at = |line: usize, text: &str| {
+        let told =
+            format!("line {line}: the face names a vertex twice and has no area; it is left out");
+        check("obj", format!("{SQUARE}{text}").as_bytes(), "area(it)", Err(&told));
     };
-    leaves_out("f 1 1 2\nf 1 2 1 3\nf 2 1 3 1\nf -4 1 2\nf 1 2 3 4\n");
-    leaves_out("f 1 2 2\nf 1 2 3 4\n");
+    leaves_out_at(5, "f 1 1 2\nf 1 2 1 3\nf 2 1 3 1\nf -4 1 2\nf 1 2 3 4\n");
+    leaves_out_at(7, "vt 0 0\nvt 1 0\nf 1/1 1/2 2/1\nf 1/1 2/1 3/1 4/1\n");
     // Colours of some vertices and a weight.
     let colors = "v 0 0 0 1 0 0\nv 1 0 0\nv 2 2 0 2\nv 0 1 0 1 1 0 0\nf 1 2 3 4";
     check("obj", colors.as_bytes(), "area(it)", Ok("1"));
