@@ -4,15 +4,17 @@ use std::sync::Arc;
 
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
-    integrand::{IntegralRange, Integrand, settled},
+    integrand::{IntegralRange, Integrand, RangeEnd, settled},
     moving_range::{MovingRange, over_box},
     strips::over_strips,
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Face, Interval, Jet, Region, Side,
+        Curve, Face, GeomError, Interval, Jet, Region, Side,
         ceiling::{INTEGRAL_LOOKS, INTEGRAL_LOOKS_OF_SEVERAL},
+        glam::DVec3,
+        tolerance::TURN_ACCURACY,
     },
     value::{
         At, CARRIES_DERIVATIVES, Dimension, FromValue, IntoValue, Real, RealCurve, RealSurface,
@@ -169,16 +171,22 @@ fn along(
     let mut total = Found::default();
     for ends in &pieces {
         let text = |t| curve.point_at(t).map_or_else(|_| rounded(t), place_text);
-        let range = IntegralRange { n_looks, ..integrand.range(*ends) };
+        let beyond = match integrand.carried() {
+            Some(_) => [end_of(curve, *ends, 0).at(place)?, end_of(curve, *ends, 1).at(place)?],
+            None => [RangeEnd::Last; 2],
+        };
+        let range = IntegralRange { n_looks, beyond, ..integrand.range(*ends) };
         let found = settled(&range, shared(tolerances, pieces.len()), text, |t| {
             let t = t.value();
+            // What stands on a knot belongs to the piece that is looked at.
+            let side = if t < ends[1] { Side::Right } else { Side::Left };
             let jet = match integrand.carried() {
                 Some(_) => curve.jet_of(&Real::Plain(t)).at(place)?,
                 None => None,
             };
             let [point, speed] = match jet {
                 Some(t) => {
-                    let mut series = curve.series_beside(&t, Side::Right, 1).at(place)?;
+                    let mut series = curve.series_beside(&t, side, 1).at(place)?;
                     let speed = series.remove(1);
                     [series.remove(0), speed]
                 }
@@ -211,13 +219,14 @@ fn across(
         let [own, inner] = nested(tolerances, ends_u[1] - ends_u[0]);
         for ends_v in &along_v {
             let middle = 0.5 * (ends_v[0] + ends_v[1]);
-            let range = integrand.range(*ends_u);
+            let range = integrand.range(*ends_u).between(surface.domain_u());
             let found = settled(
                 &range,
                 own,
                 |u| text(u, middle),
                 |u| {
-                    let (u, range) = (u.value(), integrand.range(*ends_v));
+                    let (u, range) =
+                        (u.value(), integrand.range(*ends_v).between(surface.domain_v()));
                     settled(
                         &range,
                         inner,
@@ -255,6 +264,24 @@ fn element(
     let found = surface.derivatives_at(u, v, 1).at(place)?;
     let stretch = found.get(1, 0).cross(found.get(0, 1)).length();
     Ok((Vector::Plain(found.get(0, 0)), Real::Plain(stretch)))
+}
+
+/// How a curve goes on beyond an end of a piece: over an inner knot, or where it closes.
+fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> Result<RangeEnd, GeomError> {
+    let (at, domain) = (ends[which], curve.domain());
+    let (own, other) = if which == 0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
+    let further = match () {
+        () if domain.start() < at && at < domain.end() => at,
+        () if !curve.is_closed(0.0) => return Ok(RangeEnd::Last),
+        () if at <= domain.start() => domain.end(),
+        () => domain.start(),
+    };
+    let [own, other] = [(at, own), (further, other)].map(|(t, side)| curve.derivatives_beside(t, side, 1));
+    let directions = [own?[1], other?[1]].map(DVec3::normalize_or_zero);
+    Ok(match directions[0].distance(directions[1]) <= TURN_ACCURACY {
+        true => RangeEnd::Smooth,
+        false => RangeEnd::Corner,
+    })
 }
 
 /// The parts of a domain between knots.

@@ -8,7 +8,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        IntegralError, Jet,
+        IntegralError, Interval, Jet,
         ceiling::{INTEGRAL_EVALUATIONS, INTEGRAL_LOOKS_OF_SEVERAL},
         find_sized_integral,
     },
@@ -71,7 +71,8 @@ impl<'a, 'c> Integrand<'a, 'c> {
     pub(super) fn range(&self, ends: [f64; 2]) -> IntegralRange {
         let carried = self.carried().cloned();
         let n_looks = INTEGRAL_LOOKS_OF_SEVERAL;
-        IntegralRange { span: self.span(), ends, carried, can_move: false, n_looks }
+        let beyond = [RangeEnd::Last; 2];
+        IntegralRange { span: self.span(), ends, beyond, carried, can_move: false, n_looks }
     }
 
     /// The dimension of its values, wherever it was asked.
@@ -155,18 +156,43 @@ fn place(args: &[Value]) -> Value {
     }
 }
 
+/// What follows beyond an end of a range.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum RangeEnd {
+    /// Nothing: the end itself is never asked for.
+    Last,
+    /// A further range of the same integral, as if there were no end.
+    Smooth,
+    /// A further one in which places move in another way.
+    Corner,
+}
+
 /// What an integral over one number is over.
 #[derive(Clone)]
 pub(super) struct IntegralRange {
     /// The function.
     pub(super) span: Span,
     pub(super) ends: [f64; 2],
+    pub(super) beyond: [RangeEnd; 2],
     /// The shape of the derivatives that are carried along.
     pub(super) carried: Option<Jet>,
     /// Whether the function can be asked at places that carry derivatives.
     pub(super) can_move: bool,
     /// Places at which the function is looked at once more.
     pub(super) n_looks: usize,
+}
+
+impl IntegralRange {
+    /// The same as a part of a domain which goes on smoothly beyond ends inside of it.
+    pub(super) fn between(mut self, domain: Interval) -> Self {
+        let limits = [domain.start(), domain.end()];
+        for ((beyond, end), limit) in self.beyond.iter_mut().zip(self.ends).zip(limits) {
+            if end != limit {
+                *beyond = RangeEnd::Smooth;
+            }
+        }
+        self
+    }
 }
 
 /// An integral over one number, with its refusal; what it adds up may be integrals itself, whose largest error
@@ -193,7 +219,14 @@ pub(super) fn settled(
             let switches = seen.first().map_or_else(Vec::new, |place| place.switches.clone());
             let total = Found { value: found.value, error, size: found.size, switches };
             let Some(like) = &range.carried else { return Ok(total) };
-            let cuts = MovingCuts { span, like, ends, can_move: range.can_move, seen };
+            // What goes another way on the end itself does so for one of the two ranges that meet there.
+            for (at, _) in ends.into_iter().zip(range.beyond).filter(|end| end.1 != RangeEnd::Last) {
+                if let Ok(found) = ask(Real::Plain(at)) {
+                    seen.push(SeenPlace { at, switches: found.switches });
+                }
+            }
+            let (beyond, can_move) = (range.beyond, range.can_move);
+            let cuts = MovingCuts { span, like, ends, beyond, can_move, seen };
             Ok(total.plus(Found::exact(cuts.gain(&mut ask)?)))
         }
         Err(IntegralError::Function(found)) => Err(found),

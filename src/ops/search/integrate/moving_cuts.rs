@@ -5,7 +5,10 @@
 //! goes different ways the change is found by bisection; how it moves follows from what is compared there, by
 //! the theorem of implicit functions. Leibniz' rule, as for the ends of a range.
 
-use super::found::{Found, six_digit_place};
+use super::{
+    found::{Found, six_digit_place},
+    integrand::RangeEnd,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{
@@ -42,6 +45,7 @@ pub(super) struct MovingCuts<'a> {
     /// The shape of what is carried along.
     pub(super) like: &'a Jet,
     pub(super) ends: [f64; 2],
+    pub(super) beyond: [RangeEnd; 2],
     /// Whether the function can be asked at places that carry derivatives.
     pub(super) can_move: bool,
     pub(super) seen: Vec<SeenPlace>,
@@ -101,6 +105,10 @@ impl MovingCuts<'_> {
             || !parts.any(|(k, (a, b))| counts(k) && SWITCH_ALIKE_RELATIVE * size < (a - b).abs())
         {
             return Ok(Vec::new());
+        }
+        let is_on = |(end, beyond)| beyond == RangeEnd::Corner && (end == *low || end == *high);
+        if self.ends.into_iter().zip(self.beyond).any(is_on) {
+            return self.unknown(*low);
         }
         let slope = self.slope(cut, idx, ask)?;
         let known = one.margin.zip(slope.filter(|slope| slope.is_finite() && *slope != 0.0));
