@@ -26,7 +26,8 @@ fi
 if ! command -v tree-sitter >/dev/null; then
     echo "installing tree-sitter-cli $VERSION"
     mkdir -p "$tools"
-    cargo install --quiet --debug --locked --no-default-features --version "$VERSION" --root "$tools" tree-sitter-cli ||
+    # Of what is used once nobody looks for faults.
+    CARGO_PROFILE_DEV_DEBUG=0 cargo install --quiet --debug --locked --no-default-features --version "$VERSION" --root "$tools" tree-sitter-cli ||
         skip "cargo could not install tree-sitter-cli $VERSION"
 fi
 

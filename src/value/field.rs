@@ -205,7 +205,10 @@ fn solid_field(
     Ok(Some(match name {
         "faces" => faces(&solid.faces().iter().collect::<Vec<_>>()),
         "shells" => Value::list(solid.shells().map(|shell| faces(&shell)).collect()),
-        "edges" => solid.edges(tolerance)?.into_value(),
+        "edges" => {
+            let edges = solid.edges(tolerance)?.into_iter();
+            edges.map(|edge| solid.reported_edge(edge, tolerance)).collect::<Vec<_>>().into_value()
+        }
         "vertices" => points(&solid.vertices(tolerance)?),
         _ => return Ok(None),
     }))

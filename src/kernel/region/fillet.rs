@@ -5,9 +5,9 @@
 
 use glam::DVec3;
 
-use super::{PlaneLoop, Region, RegionError, offset::arc_about};
+use super::{PlaneLoop, Region, RegionError, corner::corner_turn, offset::arc_about};
 use crate::{
-    ConstructionError, GeomError, InputError, Interval, NurbsCurve, PictureError, Side, Tolerance,
+    ConstructionError, GeomError, InputError, Interval, NurbsCurve, PictureError, Tolerance,
     ceiling::{NEWTON_STEPS, RADIUS_BISECTIONS},
     frame::norm,
     numeric::{
@@ -124,7 +124,7 @@ impl Region {
         for (number, border) in self.loops.iter().enumerate() {
             for arc in 0..border.arcs.len() {
                 let (before, next) = border.around(arc);
-                if angle_between(before, next)?.abs() > tolerance.angle {
+                if corner_turn(before, next, tolerance)?.abs() > tolerance.angle {
                     corners.push(((number, arc), self.frame.point(next.start())));
                 }
             }
@@ -157,7 +157,7 @@ impl Region {
         let mut circles: Vec<Option<CornerCircle>> = vec![None; n];
         for (arc, circle) in circles.iter_mut().enumerate() {
             let (before, next) = border.around(arc);
-            let angle = angle_between(before, next)?;
+            let angle = corner_turn(before, next, tolerance)?;
             if angle.abs() <= tolerance.angle || !is_chosen(arc) {
                 continue;
             }
@@ -192,15 +192,6 @@ impl PlaneLoop {
     fn around(&self, arc: usize) -> (&NurbsCurve, &NurbsCurve) {
         (&self.arcs[arc], &self.arcs[(arc + 1) % self.arcs.len()])
     }
-}
-
-/// By how much the border turns left between two arcs.
-fn angle_between(before: &NurbsCurve, next: &NurbsCurve) -> Result<f64, GeomError> {
-    let ends = [
-        before.tangent_at(before.domain().end(), Side::Left)?,
-        next.tangent_at(next.domain().start(), Side::Right)?,
-    ];
-    Ok(libm::atan2(ends[0].cross(ends[1]).z, ends[0].dot(ends[1])))
 }
 
 /// The circle of a radius that touches both arcs on the side to which the border turns, nearest to the

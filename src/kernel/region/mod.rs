@@ -2,10 +2,11 @@
 //!
 //! This file has the type, its constructors and what can be read off it; `measure` what can be asked of
 //! it, `boolean` unions, intersections, differences and even-odd filling, `offset` what lies within a
-//! distance, `fillet` rounded corners, `strips` what integrals over it go along. All that cuts borders is an `arrange::Arrangement`.
+//! distance, `corner` how a border turns, `fillet` rounded corners, `strips` what integrals over it go along. All that cuts borders is an `arrange::Arrangement`.
 
 mod boolean;
 mod cells;
+mod corner;
 mod error;
 mod fillet;
 mod measure;

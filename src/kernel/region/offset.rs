@@ -4,19 +4,19 @@
 //! where they meet; a part belongs to the border where it is nowhere nearer to the old one than the
 //! distance, which is the definition, and decides folds, cusps and what falls apart alike.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::DVec3;
 
 use super::{
     PlaneLoop, Region,
     boolean::{in_space, sorted},
+    corner::corner_turn,
 };
 use crate::{
     ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side, Tolerance,
     arrange::{self, Apart, Arrangement, Ring},
     frame::{norm, unit},
-    tolerance::PARAMETER_RELATIVE,
 };
 
 /// A mitred corner is no further than so many times the distance from the old one.
@@ -139,7 +139,7 @@ fn add_front(
         for piece in lines_and_rounds(arc)? {
             match piece.offset(distance, DVec3::Z, tolerance) {
                 Ok(offset) => {
-                    let branches = split_at(&offset.curve, &offset.cusps)?.into_iter();
+                    let branches = offset.curve.parts_at(&offset.cusps)?.into_iter();
                     branches.filter(|branch| !runs_back(branch, &piece)).for_each(|branch| {
                         front.push(branch, None);
                     });
@@ -151,16 +151,14 @@ fn add_front(
         }
         let next = &border.arcs[(i + 1) % n];
         let corner = next.start();
+        let angle = corner_turn(arc, next, tolerance)?;
+        if angle.abs() <= tolerance.angle || angle * distance < 0.0 {
+            continue;
+        }
         let ends = [
             arc.tangent_at(arc.domain().end(), Side::Left)?,
             next.tangent_at(next.domain().start(), Side::Right)?,
         ];
-        let turn = ends[0].cross(ends[1]).z;
-        let angle = libm::atan2(turn, ends[0].dot(ends[1]));
-        let tears = 0.0 < angle * distance || (PI - angle.abs()) <= tolerance.angle;
-        if angle.abs() <= tolerance.angle || !tears {
-            continue;
-        }
         let sides = ends.map(|tangent| tangent.cross(DVec3::Z) * distance);
         let [from, to] = sides.map(|side| corner + side);
         if norm(to - from) <= tolerance.distance {
@@ -190,7 +188,7 @@ fn lines_and_rounds(arc: &NurbsCurve) -> Result<Vec<NurbsCurve>, GeomError> {
     let joints: Vec<f64> = joints.collect();
     match joints.len() <= 2 || arc.analytic().is_some() {
         true => Ok(vec![arc.clone()]),
-        false => split_at(arc, &joints),
+        false => arc.parts_at(&joints),
     }
 }
 
@@ -198,22 +196,6 @@ fn lines_and_rounds(arc: &NurbsCurve) -> Result<Vec<NurbsCurve>, GeomError> {
 fn runs_back(offset: &NurbsCurve, arc: &NurbsCurve) -> bool {
     let t = offset.domain().at(0.5);
     arc.domain().contains(t) && offset.velocity_at(t)[1].dot(arc.velocity_at(t)[1]) < 0.0
-}
-
-/// A curve in parts between parameters in order, of which those at its ends are none.
-fn split_at(curve: &NurbsCurve, places: &[f64]) -> Result<Vec<NurbsCurve>, GeomError> {
-    let (mut rest, mut parts) = (curve.clone(), Vec::new());
-    for &t in places {
-        let domain = rest.domain();
-        let dust = PARAMETER_RELATIVE * curve.domain().length();
-        if domain.start() + dust < t && t < domain.end() - dust {
-            let [part, behind] = rest.split(t)?;
-            parts.push(part);
-            rest = behind;
-        }
-    }
-    parts.push(rest);
-    Ok(parts)
 }
 
 /// The arc about a corner from one place to another, counter-clockwise for a positive distance.

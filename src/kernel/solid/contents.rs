@@ -61,7 +61,7 @@ impl Solid {
         let mut is_end = vec![false; topology.vertices.len()];
         let (mut lengths, mut deviation) = (Vec::new(), Some(0.0_f64));
         let mut least_angle: Option<f64> = None;
-        for edge in topology.edges.iter().filter(|edge| !edge.is_seam()) {
+        for edge in &topology.edges_between_faces(tolerance)? {
             edge.vertices.into_iter().for_each(|end| is_end[end] = true);
             lengths.push(edge.curve.length(edge.curve.domain()));
             let own = self.edge_deviation(edge, tolerance);

@@ -11,6 +11,7 @@ mod caps;
 mod contents;
 mod cut;
 mod edge_angle;
+mod edges;
 mod error;
 mod mesh;
 mod nesting;

@@ -176,29 +176,6 @@ impl Solid {
     }
 }
 
-impl Solid {
-    /// The edges that faces have in common, without seams, each once.
-    ///
-    /// # Errors
-    /// Those of [`Self::topology`].
-    pub fn edges(&self, tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
-        let edges = self.topology(tolerance)?.edges.into_iter();
-        Ok(edges.filter(|edge| !edge.is_seam()).map(|edge| edge.curve).collect())
-    }
-
-    /// The places where these edges end; a closed one ends where it starts.
-    ///
-    /// # Errors
-    /// Those of [`Self::topology`].
-    pub fn vertices(&self, tolerance: Tolerance) -> Result<Vec<DVec3>, GeomError> {
-        let found = self.topology(tolerance)?;
-        let mut is_end = vec![false; found.vertices.len()];
-        let edges = found.edges.iter().filter(|edge| !edge.is_seam());
-        edges.flat_map(|edge| edge.vertices).for_each(|end| is_end[end] = true);
-        Ok(found.vertices.into_iter().zip(is_end).filter(|end| end.1).map(|end| end.0).collect())
-    }
-}
-
 /// Curves with the places where others end on them, and these places.
 fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutArc>), GeomError> {
     let ends: Vec<DVec3> = curves.iter().flat_map(|curve| [curve.start(), curve.end()]).collect();

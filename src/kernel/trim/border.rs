@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{
     Face,
-    lift::{is_point, spline},
+    lift::{is_point, joined_spline, spline},
 };
 use crate::{
     Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance, bezier,
@@ -74,11 +74,12 @@ impl Face {
         let distance = self.distance(tolerance);
         let edge = |arc: &NurbsCurve| -> Result<FaceEdge, GeomError> {
             let parameters = self.plane.to_parameters(arc);
-            let curve = self.lifted(&parameters)?;
-            let curve = match is_point(&curve, arc, distance)? {
-                true => None,
-                false => Some(spline(&curve, distance)?),
-            };
+            let parts = self.lifted_parts(&parameters, distance)?;
+            let mut is_short = true;
+            for (part, curve) in &parts {
+                is_short = is_short && is_point(curve, part, distance)?;
+            }
+            let curve = if is_short { None } else { Some(joined_spline(&parts, distance)?) };
             Ok(FaceEdge { parameters, curve })
         };
         let of_loop = |arcs: &[NurbsCurve]| arcs.iter().map(edge).collect();
@@ -284,9 +285,13 @@ impl Face {
             for (k, arcs) in part.arcs().enumerate() {
                 for arc in arcs {
                     for piece in self.outside_seams(arc, distance)? {
-                        let curve = self.lifted(&self.plane.to_parameters(&piece))?;
-                        if !is_point(&curve, &piece, distance)? {
-                            found.push(BorderArc { in_plane: piece, curve, at: [i, k] });
+                        let parts =
+                            self.lifted_parts(&self.plane.to_parameters(&piece), distance)?;
+                        for (part, curve) in parts {
+                            if !is_point(&curve, &part, distance)? {
+                                let in_plane = self.plane.to_plane(&part);
+                                found.push(BorderArc { in_plane, curve, at: [i, k] });
+                            }
                         }
                     }
                 }

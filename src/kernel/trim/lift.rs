@@ -6,8 +6,9 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::{Face, conic::conic_of};
 use crate::{
-    Curve, CurveFunction, Direction, FunctionFailure, GeomError, Interval, Jet, NurbsCurve,
-    NurbsSurface, ParametricCurve,
+    Curve, CurveFunction, Direction, Frame, FunctionFailure, GeomError, Interval, Jet, NurbsCurve,
+    NurbsSurface, ParametricCurve, Tolerance,
+    curve::join_pieces,
     frame::norm,
     jet,
     tolerance::{EDGE_SHARE, LAST_BIT, PARAMETER_RELATIVE},
@@ -22,6 +23,8 @@ struct LiftedArc {
     surface: Arc<NurbsSurface>,
     /// In the plane z = 0 of u and v.
     arc: NurbsCurve,
+    /// Where between creases of the surface it lies, by u and v.
+    cell: [Interval; 2],
 }
 
 impl CurveFunction for LiftedArc {
@@ -35,7 +38,8 @@ impl CurveFunction for LiftedArc {
             };
             let u = inside(u, self.surface.domain_u());
             let v = inside(v, self.surface.domain_v());
-            jet::across(&self.surface.derivatives_at(u.value(), v.value(), order), &u, &v)
+            let at = [u.value(), v.value()];
+            jet::across(&self.surface.derivatives_within(self.cell, at, order), &u, &v)
         };
         let point = lift().map_err(FunctionFailure::new)?;
         let of_order = |k| DVec3::from(point.each_ref().map(|jet| jet.derivative(k, 0)));
@@ -53,15 +57,54 @@ impl Face {
         arc: &NurbsCurve,
         distance: f64,
     ) -> Result<NurbsCurve, GeomError> {
-        spline(&self.lifted(arc)?, distance)
+        joined_spline(&self.lifted_parts(arc, distance)?, distance)
     }
 
-    /// An arc of parameters in space: exact along lines of constant parameters and on plane patches, and where it is a
-    /// conic.
-    pub(super) fn lifted(&self, arc: &NurbsCurve) -> Result<Curve, GeomError> {
+    /// The parts of an arc of parameters between creases of the surface, with each in space, where it has a corner there.
+    /// What goes over a crease by less than an eighth of a distance ends on it.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`].
+    pub(super) fn lifted_parts(
+        &self,
+        arc: &NurbsCurve,
+        distance: f64,
+    ) -> Result<Vec<(NurbsCurve, Curve)>, GeomError> {
+        if let Some(exact) = self.lifted_exactly(arc)? {
+            return Ok(vec![(arc.clone(), exact.into())]);
+        }
+        let bounds = arc.bounds();
+        let mut places = Vec::new();
+        for (i, creases) in self.plane.creases.iter().enumerate() {
+            let dust = EDGE_SHARE * distance / self.plane.scales[i];
+            let (low, high) = (bounds.min[i] + dust, bounds.max[i] - dust);
+            for &crease in creases {
+                if low < crease && crease < high {
+                    let axis = DVec3::AXES[i];
+                    let across = Frame::from_axes(axis * crease, DVec3::AXES[1 - i], DVec3::Z)?;
+                    let near = Tolerance::DEFAULT.with_distance(dust);
+                    places.extend(arc.plane_parameters(across, near));
+                }
+            }
+        }
+        places.sort_by(f64::total_cmp);
+        let lifted = |part: NurbsCurve| {
+            let function = LiftedArc {
+                surface: Arc::clone(&self.plane.surface),
+                cell: self.cell_of(&part, distance),
+                arc: part.clone(),
+            };
+            let curve = ParametricCurve::new(part.domain(), Arc::new(function))?;
+            Ok((part, curve.into()))
+        };
+        arc.parts_at(&places)?.into_iter().map(lifted).collect()
+    }
+
+    /// An arc of parameters in space along a line of constant parameters or on a plane patch, and where it is a conic.
+    fn lifted_exactly(&self, arc: &NurbsCurve) -> Result<Option<NurbsCurve>, GeomError> {
         let surface = &self.plane.surface;
         if let Some(map) = affine_map(surface) {
-            return Ok(arc.transformed(&map).into());
+            return Ok(Some(arc.transformed(&map)));
         }
         let (start, end) = (arc.start(), arc.end());
         if arc.degree() == 1 && arc.control_points().len() == 2 {
@@ -83,15 +126,27 @@ impl Face {
                         Direction::V => surface.isocurve_u(at),
                     };
                     let line = line.trimmed(interval)?;
-                    return Ok(if from < to { line } else { line.reversed() }.into());
+                    return Ok(Some(if from < to { line } else { line.reversed() }));
                 }
             }
         }
-        if let Some(conic) = conic_of(surface, arc) {
-            return Ok(conic.into());
-        }
-        let function = LiftedArc { surface: Arc::clone(surface), arc: arc.clone() };
-        Ok(ParametricCurve::new(arc.domain(), Arc::new(function))?.into())
+        Ok(conic_of(surface, arc))
+    }
+
+    /// The part of the domain between creases in which an arc of parameters lies, but for an eighth of a distance;
+    /// all of it in a direction in which the arc goes over one.
+    fn cell_of(&self, arc: &NurbsCurve, distance: f64) -> [Interval; 2] {
+        let (bounds, middle) = (arc.bounds(), arc.point_at(arc.domain().at(0.5)));
+        let domains = self.plane.domains();
+        [0, 1].map(|i| {
+            let (domain, ends) = (domains[i], &self.plane.creases[i]);
+            let behind = ends.partition_point(|&end| end <= middle[i]);
+            let low = behind.checked_sub(1).map_or(domain.start(), |k| ends[k]);
+            let high = ends.get(behind).map_or(domain.end(), |&end| end);
+            let dust = EDGE_SHARE * distance / self.plane.scales[i];
+            let is_inside = low - dust <= bounds.min[i] && bounds.max[i] <= high + dust;
+            Interval::new(low, high).ok().filter(|_| is_inside).unwrap_or(domain)
+        })
     }
 }
 
@@ -116,6 +171,21 @@ pub(crate) fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
     let translation = origin - by_u * u.start() - by_v * v.start();
     let matrix3 = DMat3::from_cols(by_u, by_v, DVec3::ZERO);
     Some(DAffine3 { matrix3, translation })
+}
+
+/// The parts of a lifted arc as one spline, within an eighth of a distance.
+pub(super) fn joined_spline(
+    parts: &[(NurbsCurve, Curve)],
+    distance: f64,
+) -> Result<NurbsCurve, GeomError> {
+    if let [(_, curve)] = parts {
+        return spline(curve, distance);
+    }
+    let piece = |(part, curve): &(NurbsCurve, Curve)| {
+        Ok(spline(curve, distance)?.reparametrized(part.domain()))
+    };
+    let pieces: Vec<NurbsCurve> = parts.iter().map(piece).collect::<Result<_, GeomError>>()?;
+    join_pieces(&pieces, EDGE_SHARE * distance)
 }
 
 /// A lifted arc as a spline, within an eighth of a distance.

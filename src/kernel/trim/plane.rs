@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use crate::{Bounds, GeomError, Interval, NurbsCurve, NurbsSurface, frame::norm};
+use crate::{Bounds, Direction, GeomError, Interval, NurbsCurve, NurbsSurface, frame::norm};
 
 /// Even parts of each span at whose ends first derivatives are looked at.
 const PARTS: usize = 3;
@@ -20,6 +20,8 @@ pub(crate) struct ParameterPlane {
     pub(crate) scales: [f64; 2],
     /// Whether the edges at both ends of u, and of v, are one.
     pub(crate) is_closed: [bool; 2],
+    /// Values of u, and of v, along which the surface is bent.
+    pub(super) creases: Arc<[Vec<f64>; 2]>,
 }
 
 impl PartialEq for ParameterPlane {
@@ -49,7 +51,8 @@ impl ParameterPlane {
             if scale.is_normal() { scale } else { 1.0 }
         });
         let is_closed = [surface.is_closed_u(tolerance), surface.is_closed_v(tolerance)];
-        Self { surface, scales, is_closed }
+        let creases = Arc::new(Direction::BOTH.map(|along| surface.creases(along)));
+        Self { surface, scales, is_closed, creases }
     }
 
     pub(crate) fn domains(&self) -> [Interval; 2] {

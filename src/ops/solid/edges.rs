@@ -27,7 +27,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<NurbsCurve>> {
-    let topology = args.s.topology(ctx.tolerance).at(ctx.span)?;
+    let edges = args.s.edges(ctx.tolerance).at(ctx.span)?;
     let told = |edge: SolidEdge| args.s.reported_edge(edge, ctx.tolerance);
-    Ok(topology.edges.into_iter().filter(|edge| !edge.is_seam()).map(told).collect())
+    Ok(edges.into_iter().map(told).collect())
 }

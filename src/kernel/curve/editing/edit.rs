@@ -1,8 +1,10 @@
 //! Other representations of a curve, and parts of it.
 
 use crate::{
-    ConstructionReport, DomainError, GeomError, Interval, bezier, curve::NurbsCurve,
-    refine::ControlLines, tolerance::KNOT_RELATIVE,
+    ConstructionReport, DomainError, GeomError, Interval, bezier,
+    curve::NurbsCurve,
+    refine::ControlLines,
+    tolerance::{KNOT_RELATIVE, PARAMETER_RELATIVE},
 };
 
 impl NurbsCurve {
@@ -47,6 +49,25 @@ impl NurbsCurve {
         }
         let (left, right) = self.lines().cut_at(t);
         Ok([left, right].map(Self::from_lines))
+    }
+
+    /// The parts between parameters in order, of which those beside its ends or one another are none.
+    ///
+    /// # Errors
+    /// Those of [`Self::split`].
+    pub(crate) fn parts_at(&self, places: &[f64]) -> Result<Vec<Self>, GeomError> {
+        let (mut rest, mut parts) = (self.clone(), Vec::new());
+        let dust = PARAMETER_RELATIVE * self.domain().length();
+        for &t in places {
+            let domain = rest.domain();
+            if domain.start() + dust < t && t < domain.end() - dust {
+                let [part, behind] = rest.split(t)?;
+                parts.push(part);
+                rest = behind;
+            }
+        }
+        parts.push(rest);
+        Ok(parts)
     }
 
     /// The part over an interval, with the parameters that it had, clamped at both ends.

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::{Grid, homogeneous, knots::acting, surface::NurbsSurface};
+use crate::{Grid, Interval, KnotVector, Side, homogeneous, knots::acting, surface::NurbsSurface};
 
 impl NurbsSurface {
     /// Point at `(u, v)`; outside the domain the outer pieces go on.
@@ -40,9 +40,29 @@ impl NurbsSurface {
     /// Piegl & Tiller, *The NURBS Book*, A3.6 and A4.4.
     #[must_use]
     pub fn derivatives_at(&self, u: f64, v: f64, order: usize) -> Grid<DVec3> {
-        let derivatives = self.homogeneous_derivatives(u, v, order);
+        self.in_space(&self.homogeneous_derivatives(u, v, order))
+    }
+
+    /// Derivatives at `(u, v)` of what the surface is within a part of its domain that ends at knots, which goes on
+    /// beyond them.
+    pub(crate) fn derivatives_within(
+        &self,
+        part: [Interval; 2],
+        [u, v]: [f64; 2],
+        order: usize,
+    ) -> Grid<DVec3> {
+        let span = |knots: &KnotVector, part: Interval, t: f64| match part.end() <= t {
+            true => knots.span_beside(part.end(), Side::Left),
+            false => knots.span_at(t.max(part.start())),
+        };
+        let spans = [span(&self.knots_u, part[0], u), span(&self.knots_v, part[1], v)];
+        let derivatives = self.homogeneous_derivatives_on(spans, [u, v], order);
+        self.in_space(&derivatives)
+    }
+
+    fn in_space(&self, derivatives: &Grid<DVec4>) -> Grid<DVec3> {
         if self.is_rational {
-            return homogeneous::quotient_grid(&derivatives);
+            return homogeneous::quotient_grid(derivatives);
         }
         let weight = derivatives.get(0, 0).w;
         derivatives.map(|derivative| derivative.truncate() / weight)

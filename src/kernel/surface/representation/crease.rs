@@ -36,6 +36,12 @@ impl NurbsSurface {
         inner.filter_map(|(t, _)| self.break_at(along, t, &places)).collect()
     }
 
+    /// The knots along which it is bent, in order.
+    pub(crate) fn creases(&self, along: Direction) -> Vec<f64> {
+        let breaks = self.breaks_of_derivative(along).into_iter();
+        breaks.filter(|line| line.is_crease).map(|line| line.at).collect()
+    }
+
     fn break_at(&self, along: Direction, t: f64, places: &[f64]) -> Option<Crease> {
         let (mut most, mut jump, mut is_crease) = (0.0_f64, 0.0_f64, false);
         let mut gap = 0.0_f64;

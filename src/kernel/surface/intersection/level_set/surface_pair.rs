@@ -18,6 +18,8 @@ use crate::{
 pub(super) struct SurfacePair<'s> {
     pub(super) surfaces: [&'s NurbsSurface; 2],
     pub(super) domains: [Interval; 4],
+    /// Where inside of them derivatives may jump.
+    pub(super) creases: [Vec<f64>; 4],
     pub(super) tolerance: f64,
     /// Within this distance surfaces whose normals are parallel touch.
     pub(super) contact: f64,
@@ -81,7 +83,7 @@ impl<'s> SurfacePair<'s> {
         self.surfaces[surface].point_at(u, v)
     }
 
-    fn place(&self, at: [f64; 4]) -> PairParameters {
+    pub(super) fn place(&self, at: [f64; 4]) -> PairParameters {
         let PairState { slopes: [pu, pv, qu, qv], point, .. } = self.look(at);
         let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
         let across = normals[0].zip(normals[1]).map_or(DVec3::ZERO, |(a, b)| a.cross(b));

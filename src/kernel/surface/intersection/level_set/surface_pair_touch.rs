@@ -1,7 +1,11 @@
 //! Two surfaces before their crossings are looked for: the poles and collapsed edges that they share.
 
 use super::{collapsed::collapsed, surface_pair::SurfacePair, tangential_contact::poles};
-use crate::{NurbsSurface, tolerance::LAST_BIT};
+use crate::{
+    Direction::{U, V},
+    NurbsSurface,
+    tolerance::LAST_BIT,
+};
 
 impl<'s> SurfacePair<'s> {
     /// Of surfaces that touch within that share of the tolerance.
@@ -17,6 +21,8 @@ impl<'s> SurfacePair<'s> {
         let poles = poles(surfaces, contact);
         let rounding = 8.0 * LAST_BIT * magnitude;
         let collapsed = collapsed(surfaces, contact);
-        Self { surfaces, domains, tolerance, contact, size, rounding, poles, collapsed }
+        let creases =
+            [(a, U), (a, V), (b, U), (b, V)].map(|(surface, along)| surface.creases(along));
+        Self { surfaces, domains, creases, tolerance, contact, size, rounding, poles, collapsed }
     }
 }

@@ -29,8 +29,9 @@ impl SurfacePair<'_> {
         if !is_closed {
             places = self.half(start, -1.0, ends).0;
             places.reverse();
+            places.push(self.beside_crease(start, -1.0));
         }
-        places.push(start);
+        places.push(self.beside_crease(start, 1.0));
         places.extend(ahead);
         run_of(places)
     }
@@ -38,7 +39,7 @@ impl SurfacePair<'_> {
     /// The curve along a branch out of a junction.
     pub(super) fn run_out(&self, way: BranchDirection, ends: &CurveEnds) -> BranchSamples {
         let (mut places, _) = self.half(way.place, way.sign, ends);
-        places.insert(0, way.place);
+        places.insert(0, self.beside_crease(way.place, way.sign));
         if way.sign < 0.0 {
             places.reverse();
         }
@@ -53,7 +54,7 @@ impl SurfacePair<'_> {
         ends: &CurveEnds,
     ) -> (Vec<PairParameters>, bool) {
         let mut places: Vec<PairParameters> = Vec::new();
-        let mut last = start;
+        let mut last = self.beside_crease(start, sign);
         let mut step = FIRST_STEP_SHARE * self.size;
         while places.len() < TRACE_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
             if let Some(junction) = ends.junction_ahead(last, sign) {
@@ -70,7 +71,7 @@ impl SurfacePair<'_> {
                 }
                 step = step.min(0.5 * collapsed.point.distance(last.point));
             }
-            let Some((next, is_end)) = self.advance(last, sign * step) else {
+            let Some((next, end)) = self.advance(last, sign * step) else {
                 step *= 0.5;
                 if step < SHORTEST_STEP_SHARE * self.tolerance {
                     break;
@@ -86,7 +87,7 @@ impl SurfacePair<'_> {
                     <= self.tolerance
                 && 0.0 < next.tangent.dot(start.tangent)
             {
-                places.push(start);
+                places.push(self.beside_crease(start, -sign));
                 return (places, true);
             }
             if let Some(end) = self.pole_ahead(last, next, sign) {
@@ -94,10 +95,15 @@ impl SurfacePair<'_> {
                 break;
             }
             places.push(next);
-            if is_end || ends.spots.iter().any(|s| s.point.distance(next.point) <= s.radius) {
+            let is_spot = |s: &VanishingPlace| s.point.distance(next.point) <= s.radius;
+            if end == StepEnd::Border || ends.spots.iter().any(is_spot) {
                 break;
             }
             last = next;
+            if end == StepEnd::Crease {
+                last = self.beside_crease(next, sign);
+                places.push(last);
+            }
             step = (GROWTH * step).min(LONGEST_STEP_SHARE * self.size);
         }
         (places, false)
@@ -157,8 +163,9 @@ impl SurfacePair<'_> {
         CubicSegment::between(from, to, length_between(from, to))
     }
 
-    /// The place a step further, and whether a domain ends there; none where the step is too long.
-    fn advance(&self, from: PairParameters, step: f64) -> Option<(PairParameters, bool)> {
+    /// The place a step further, or that where it reaches the end of a domain or a crease; none where the step is too
+    /// long.
+    fn advance(&self, from: PairParameters, step: f64) -> Option<(PairParameters, StepEnd)> {
         let speed = self.speed(from);
         let guess =
             |f: f64| -> [f64; 4] { std::array::from_fn(|i| from.at[i] + speed[i] * step * f) };
@@ -168,40 +175,114 @@ impl SurfacePair<'_> {
         };
         let (middle, next) = (place(0.5)?, place(1.0)?);
         let sign = step.signum();
+        let stops = self.creases_between(from.at, next.at);
+        if !stops.is_empty() {
+            let (way, place) = self.first_stop(from, sign, &stops, guess, next.at)?;
+            let place = self.beside_crease(place, -sign);
+            let share = way / step.abs();
+            let is_followed =
+                share <= 1.0 && self.is_followed(from, place, sign * way, guess(0.5 * share));
+            return is_followed.then_some((place, StepEnd::Crease));
+        }
         if !self.follows(from, [middle, next], sign) {
             return None;
         }
         if self.is_inside(next.at) {
-            return Some((next, false));
+            return Some((next, StepEnd::Open));
         }
         // The first end of a domain on the way.
-        let mut end: Option<(f64, PairParameters)> = None;
-        for parameter in 0..4 {
-            let domain = self.domains[parameter];
-            let beyond = next.at[parameter];
-            let value = within(domain, beyond);
-            if (value - beyond).abs() <= self.slack(parameter) {
-                continue;
-            }
-            let share =
-                ((value - from.at[parameter]) / (beyond - from.at[parameter])).clamp(0.0, 1.0);
-            let mut found =
-                self.common_where(guess(share), PlaceCondition::At { parameter, value })?;
+        let beyond = (0..4).filter_map(|parameter| {
+            let value = within(self.domains[parameter], next.at[parameter]);
+            let is_beyond = self.slack(parameter) < (value - next.at[parameter]).abs();
+            is_beyond.then_some((parameter, value))
+        });
+        let stops: Vec<(usize, f64)> = beyond.collect();
+        // The end may be elsewhere, where the surfaces go on straight: it is looked at as any other place.
+        let (way, place) = self.first_stop(from, sign, &stops, guess, next.at)?;
+        let share = way / step.abs();
+        let is_followed =
+            share <= 1.0 && self.is_followed(from, place, sign * way, guess(0.5 * share));
+        is_followed.then_some((place, StepEnd::Border))
+    }
+
+    /// The first of the places at which a parameter has a value on the way to others, and how far it is.
+    fn first_stop(
+        &self,
+        from: PairParameters,
+        sign: f64,
+        stops: &[(usize, f64)],
+        guess: impl Fn(f64) -> [f64; 4],
+        to: [f64; 4],
+    ) -> Option<(f64, PairParameters)> {
+        let mut first: Option<(f64, PairParameters)> = None;
+        for &(parameter, value) in stops {
+            let share = (value - from.at[parameter]) / (to[parameter] - from.at[parameter]);
+            let start = guess(share.clamp(0.0, 1.0));
+            let mut found = self.common_where(start, PlaceCondition::At { parameter, value })?;
             found.at[parameter] = value;
             let way = (found.point - from.point).dot(from.tangent) * sign;
-            if self.is_inside(found.at) && 0.0 <= way && end.is_none_or(|(least, _)| way < least) {
-                end = Some((way, found));
+            if self.is_inside(found.at) && 0.0 <= way && first.is_none_or(|(least, _)| way < least)
+            {
+                first = Some((way, found));
             }
         }
-        // The end may be elsewhere, where the surfaces go on straight: it is looked at as any other place.
-        let (way, place) = end?;
-        let share = way / step.abs();
-        let origin = from.point + from.tangent * (0.5 * way * sign);
+        first
+    }
+
+    /// Whether the curve keeps to the cubic to a place, by that half of the way there.
+    fn is_followed(
+        &self,
+        from: PairParameters,
+        to: PairParameters,
+        way: f64,
+        half: [f64; 4],
+    ) -> bool {
+        let origin = from.point + from.tangent * (0.5 * way);
         let plane = PlaceCondition::InPlane { origin, normal: from.tangent };
-        let middle = self.common_where(guess(0.5 * share), plane)?;
-        let is_followed =
-            share <= 1.0 && self.is_inside(middle.at) && self.follows(from, [middle, place], sign);
-        is_followed.then_some((place, true))
+        self.common_where(half, plane).is_some_and(|middle| {
+            self.is_inside(middle.at) && self.follows(from, [middle, to], way.signum())
+        })
+    }
+
+    /// The creases that are passed between places on neither of them, by the parameter.
+    fn creases_between(&self, from: [f64; 4], to: [f64; 4]) -> Vec<(usize, f64)> {
+        let mut passed = Vec::new();
+        for parameter in 0..4 {
+            let slack = self.slack(parameter);
+            let [low, high] = [from, to].map(|at| at[parameter]);
+            let is_passed = |crease: f64| {
+                let ways = [low - crease, high - crease];
+                slack < ways[0].abs() && ways[0] * ways[1] < 0.0
+            };
+            let creases = self.creases[parameter].iter().copied();
+            passed.extend(creases.filter(|&crease| is_passed(crease)).map(|c| (parameter, c)));
+        }
+        passed
+    }
+
+    /// A place as it is for who leaves it along the curve, forward for a positive sign: on a crease of a surface that of
+    /// the side to which the curve goes from there.
+    fn beside_crease(&self, place: PairParameters, sign: f64) -> PairParameters {
+        let mut place = place;
+        for parameter in 0..4 {
+            let near =
+                |crease: &&f64| (place.at[parameter] - **crease).abs() <= self.slack(parameter);
+            let Some(&crease) = self.creases[parameter].iter().find(near) else { continue };
+            let on_side = |value: f64| {
+                let mut at = place.at;
+                at[parameter] = value;
+                PairParameters { point: place.point, ..self.place(at) }
+            };
+            let [before, behind] = [crease.next_down(), crease].map(on_side);
+            let grows = |found: PairParameters| 0.0 < self.speed(found)[parameter] * sign;
+            place = match (grows(behind), grows(before)) {
+                (true, true) => behind,
+                (false, false) => before,
+                // Along it, or away from it on both sides: as it was found.
+                _ => continue,
+            };
+        }
+        place
     }
 
     /// Whether the curve keeps to the cubic from one place to the last by way of the one between.
@@ -235,6 +316,17 @@ impl SurfacePair<'_> {
     }
 }
 
+/// What a step along a curve comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum StepEnd {
+    /// Another place of it.
+    Open,
+    /// The end of a domain.
+    Border,
+    /// A line over which derivatives of a surface may jump.
+    Crease,
+}
+
 /// Where curves end.
 #[derive(Debug, Default)]
 pub(super) struct CurveEnds {
@@ -253,11 +345,18 @@ impl CurveEnds {
     }
 }
 
+/// Places as samples; what follows in one place is one, with the tangents of both sides.
 fn run_of(places: Vec<PairParameters>) -> BranchSamples {
-    let sample = |place: PairParameters| BranchSample {
-        point: place.point,
-        before: place.tangent,
-        behind: place.tangent,
-    };
-    BranchSamples { samples: places.into_iter().map(sample).collect() }
+    let mut samples: Vec<BranchSample> = Vec::with_capacity(places.len());
+    for place in places {
+        match samples.last_mut() {
+            Some(last) if last.point == place.point => last.behind = place.tangent,
+            _ => samples.push(BranchSample {
+                point: place.point,
+                before: place.tangent,
+                behind: place.tangent,
+            }),
+        }
+    }
+    BranchSamples { samples }
 }
