@@ -75,10 +75,11 @@ fn domain(value: &Value, over: &Spanned<Value>) -> Result<Domain> {
 }
 
 fn refused<T>(found: &Value, span: Span) -> Result<T> {
-    if found.is_jet() {
+    let plain = found.looked_at();
+    if found.is_jet() && matches!(plain, Value::Region(_) | Value::Face(_)) {
         let message = format!(
             "no derivative passes through an integral over {}, and derivatives are wanted",
-            found.looked_at().phrase()
+            plain.phrase()
         );
         return Diagnostic::error(Code::NoDerivative, span, message)
             .hint(CARRIES_DERIVATIVES)
@@ -86,9 +87,9 @@ fn refused<T>(found: &Value, span: Span) -> Result<T> {
     }
     let message = format!(
         "an integral is over a range, a box, a curve, a region, a face or a surface, found {}",
-        found.phrase()
+        plain.phrase()
     );
-    let hint = match found {
+    let hint = match plain {
         Value::Solid(_) => {
             "over the surface of a solid, its `.faces`: `integrate(p => p.z, body.faces)`"
         }
@@ -267,16 +268,18 @@ fn element(
 }
 
 /// How a curve goes on beyond an end of a piece: over an inner knot, or where it closes.
-fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> Result<RangeEnd, GeomError> {
+fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> std::result::Result<RangeEnd, GeomError> {
     let (at, domain) = (ends[which], curve.domain());
-    let (own, other) = if which == 0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
+    let (own, other) =
+        if which == 0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
     let further = match () {
         () if domain.start() < at && at < domain.end() => at,
         () if !curve.is_closed(0.0) => return Ok(RangeEnd::Last),
         () if at <= domain.start() => domain.end(),
         () => domain.start(),
     };
-    let [own, other] = [(at, own), (further, other)].map(|(t, side)| curve.derivatives_beside(t, side, 1));
+    let [own, other] =
+        [(at, own), (further, other)].map(|(t, side)| curve.derivatives_beside(t, side, 1));
     let directions = [own?[1], other?[1]].map(DVec3::normalize_or_zero);
     Ok(match directions[0].distance(directions[1]) <= TURN_ACCURACY {
         true => RangeEnd::Smooth,

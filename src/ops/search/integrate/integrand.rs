@@ -58,6 +58,12 @@ impl<'a, 'c> Integrand<'a, 'c> {
         self.carried.as_ref()
     }
 
+    /// Of how many numbers its values are, with those of their derivatives; none before it was asked.
+    pub(super) fn n_numbers(&self) -> Option<usize> {
+        let width = self.carried().map_or(1, |like| like.coefficients().len());
+        self.n_parts.map(|n| n * width)
+    }
+
     /// Whether it carries derivatives itself.
     pub(super) fn is_varying(&self) -> bool {
         self.varies
@@ -220,7 +226,8 @@ pub(super) fn settled(
             let total = Found { value: found.value, error, size: found.size, switches };
             let Some(like) = &range.carried else { return Ok(total) };
             // What goes another way on the end itself does so for one of the two ranges that meet there.
-            for (at, _) in ends.into_iter().zip(range.beyond).filter(|end| end.1 != RangeEnd::Last) {
+            for (at, _) in ends.into_iter().zip(range.beyond).filter(|end| end.1 != RangeEnd::Last)
+            {
                 if let Ok(found) = ask(Real::Plain(at)) {
                     seen.push(SeenPlace { at, switches: found.switches });
                 }
