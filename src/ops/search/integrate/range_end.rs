@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     diag::{Result, Span},
-    kernel::{Jet, tolerance::SWITCH_ALIKE_RELATIVE},
+    kernel::{Jet, tolerance::SWITCH_SPEED_RELATIVE},
     value::{Real, is_like},
 };
 
@@ -35,6 +35,10 @@ impl RangeLimit<'_> {
         mut ask: impl FnMut(Real) -> Result<Found>,
     ) -> Result<f64> {
         let at = self.end.value();
+        // A series of one variable goes into one side of the place.
+        if like.n_variables().is_none() {
+            return Ok(at);
+        }
         let moved = |at: f64| Real::Jet(self.end.like(like).with_value(at));
         let mut seen =
             |at: f64| ask(moved(at)).map(|found| SeenPlace { at, switches: found.switches });
@@ -51,12 +55,14 @@ impl RangeLimit<'_> {
         let (inside, found) = &cut.sides[usize::from(0.0 < self.inward)];
         let margin = |found: &Found| found.switches.get(cut.number)?.margin.clone();
         let own = ask(Real::Jet(like.same(*inside)))?;
-        let moves = match (margin(found), margin(&own)) {
-            (Some(along), Some(own)) => {
-                let [along, own] = [along.like(like), own.like(like)];
-                let size =
-                    own.coefficients()[1..].iter().fold(0.0, |most: f64, k| most.max(k.abs()));
-                along.coefficients()[1..].iter().any(|k| SWITCH_ALIKE_RELATIVE * size < k.abs())
+        let away = ask(Real::Jet(like.with_coefficients(&[*inside, 1.0])))?;
+        let moves = match (margin(found), margin(&own), margin(&away)) {
+            (Some(along), Some(own), Some(away)) => {
+                let first = |margin: &Real| margin.like(like).slopes().first().copied();
+                let speed = first(&away).zip(first(&own)).map_or(0.0, |(away, own)| away - own);
+                // The place is known to some of the numbers beside it.
+                let rest = reach / SWITCH_SPEED_RELATIVE * speed.abs();
+                along.like(like).slopes().iter().any(|slope| rest < slope.abs())
             }
             _ => true,
         };
