@@ -99,7 +99,7 @@
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
 //! - Near points: [`Approximator`], [`approximate`], [`approximate_within`] a tolerance.
 //! - Grids of points: [`FirstPass`] with a [`LineFit`], [`columns_within`], [`surface_within`].
-//! - Of rates: [`find_trajectory`] gives a [`Trajectory`], [`NurbsCurve::of_trajectory`].
+//! - Of rates: [`find_trajectory`] gives a [`Trajectory`], [`NurbsCurve::of_trajectory`]; of rates in branches [`find_branched_trajectory`].
 //! - Of functions: [`ParametricCurve::to_nurbs`], [`ParametricSurface::to_nurbs`], [`Curve::nurbs_within`].
 //!
 //! ## Mesh
@@ -199,6 +199,7 @@ pub use mesh::{
 };
 pub use numeric::{
     answers::{Answers, Wanted},
+    branched_rate::{BranchEnd, BranchedRate},
     constrained_least::ConstrainedLeast,
     enclosure::Enclosure,
     integral::{Integral, IntegralError, find_integral, find_sized_integral},
@@ -212,7 +213,7 @@ pub use numeric::{
     sample::Sample,
     slope::{Slope, find_slope},
     symmetric_eigen::principal_axes,
-    trajectory::{TrajectoryError, find_trajectory},
+    trajectory::{TrajectoryError, find_branched_trajectory, find_trajectory},
     trajectory_nodes::{Trajectory, TrajectoryNode},
 };
 pub use region::{CornerStyle, Region, RegionError, RegionSide, RegionStrip};

@@ -98,7 +98,7 @@ pub use registry::{Constant, Registry, choose};
 pub(crate) use rounding::rounded_to;
 pub use settling::{MovingSurface, Settling};
 pub use shape::{Geometry, RealGeometry};
-pub use switch::Switch;
+pub use switch::{Switch, is_like};
 pub use table_text::{MOST_ROWS, table_cells, table_text};
 pub use ty::Type;
 pub use unit::{in_document_unit, in_unit_of};

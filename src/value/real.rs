@@ -231,13 +231,19 @@ impl Real {
             return Ok(other);
         }
         #[expect(clippy::float_cmp, reason = "only where both are one number is there a kink")]
-        if self.value() == other.value()
-            && let MatchedReals::Jets(a, b) = self.with(&other)
-            && !a.has_slopes_of(&b)
-        {
-            return Err(LocalError::NotDifferentiable { what, at: a.value() }.into());
+        if self.value() == other.value() && !self.goes_with(&other) {
+            return Err(LocalError::NotDifferentiable { what, at: self.value() }.into());
         }
         Ok(self)
+    }
+
+    /// Whether two numbers have the same derivatives, so that which of them is larger stays as it is.
+    #[must_use]
+    pub fn goes_with(&self, other: &Self) -> bool {
+        match self.with(other) {
+            MatchedReals::Jets(a, b) => a.has_slopes_of(&b),
+            MatchedReals::Plain(..) => true,
+        }
     }
 }
 

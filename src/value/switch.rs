@@ -21,3 +21,9 @@ impl Switch {
         self.span == other.span && self.state.to_bits() == other.state.to_bits()
     }
 }
+
+/// Whether all went the same way.
+#[must_use]
+pub fn is_like(a: &[Switch], b: &[Switch]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_like(b))
+}

@@ -16,7 +16,7 @@ const NEARER: f64 = 0.377;
 pub(super) struct AskedFunction<F> {
     function: F,
     /// Where roots are sought.
-    ends: [f64; 2],
+    pub(super) ends: [f64; 2],
     /// The greatest value so far, without its sign.
     pub(super) size: f64,
 }

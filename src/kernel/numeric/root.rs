@@ -3,8 +3,9 @@
 use super::{
     asked_function::AskedFunction,
     least::least_between,
+    narrow_bracket::{is_steep, polished},
     root_error::RootError,
-    sample::{Sample, is_zero},
+    sample::{Sample, is_change, is_zero},
 };
 use crate::{
     ceiling::{ALL_ROOT_LOOKS, ROOT_LOOKS, ROOT_STEPS},
@@ -13,9 +14,6 @@ use crate::{
 
 /// Of so many parts one may hold a root: more roots may come in pairs that samples do not tell.
 const CROWDED: usize = 4;
-
-/// Steps by which a root is polished whose bracket is narrow beside the interval but not beside itself.
-const POLISHING: usize = 4;
 
 /// One root of a function in an interval, `start` below `end`, as exactly as numbers tell it.
 ///
@@ -162,12 +160,6 @@ fn unless_jump<E, F: FnMut(f64) -> Result<f64, E>>(
     Ok(None)
 }
 
-fn is_change(a: Sample, b: Sample) -> bool {
-    a.value.is_sign_negative() != b.value.is_sign_negative()
-        && !is_zero(a.value)
-        && !is_zero(b.value)
-}
-
 /// Whether a function comes nearest to zero at the middle one of three places, without a root at them.
 fn is_valley(before: Sample, middle: Sample, after: Sample) -> bool {
     let [a, b, c] = [before, middle, after].map(|sample| sample.value.abs());
@@ -209,36 +201,12 @@ fn between<E, F: FnMut(f64) -> Result<f64, E>>(
         }
         share = next_share([a, b, c]).clamp(rest, 1.0 - rest);
     }
-    if ROOT_JUMP_RELATIVE * asked.size < (a.value - b.value).abs() {
-        let sides = if a.at < b.at { [a, b] } else { [b, a] };
+    let sides = if a.at < b.at { [a, b] } else { [b, a] };
+    let is_far = ROOT_JUMP_RELATIVE * asked.size < (a.value - b.value).abs();
+    if is_far && !is_steep(asked, sides)? {
         return Err(RootError::Jump { sides });
     }
     polished(asked, [a, b])
-}
-
-/// The root in a narrow bracket, from one end of it to the other along the chord, as far as that leads nearer to zero.
-fn polished<E, F: FnMut(f64) -> Result<f64, E>>(
-    asked: &mut AskedFunction<F>,
-    [mut a, mut b]: [Sample; 2],
-) -> Result<Sample, RootError<E>> {
-    let nearer = |a: Sample, b: Sample| if a.value.abs() < b.value.abs() { a } else { b };
-    let mut best = nearer(a, b);
-    for _ in 0..POLISHING {
-        let at = best.at - best.value * ((b.at - a.at) / (b.value - a.value));
-        if !(a.at.min(b.at) < at && at < a.at.max(b.at)) {
-            break;
-        }
-        let new = asked.at(at)?;
-        if best.value.abs() <= new.value.abs() {
-            break;
-        }
-        best = new;
-        if is_zero(new.value) {
-            break;
-        }
-        *(if is_change(new, a) { &mut b } else { &mut a }) = new;
-    }
-    Ok(best)
 }
 
 /// Where between a and b the root is looked for next: by inverse quadratic interpolation where that is

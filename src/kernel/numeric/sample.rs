@@ -21,3 +21,10 @@ pub struct Sample {
 pub(super) fn is_zero(value: f64) -> bool {
     value == 0.0
 }
+
+/// Whether the values at two places have different signs.
+pub(super) fn is_change(a: Sample, b: Sample) -> bool {
+    a.value.is_sign_negative() != b.value.is_sign_negative()
+        && !is_zero(a.value)
+        && !is_zero(b.value)
+}

@@ -1,6 +1,7 @@
 //! What a state comes to that changes at a known rate: initial values of ordinary differential equations.
 
 use super::{
+    branched_rate::{BranchEnd, BranchedRate, Counted, OneBranch},
     dormand_prince::{Step, Trial},
     trajectory_nodes::{Trajectory, TrajectoryNode},
 };
@@ -82,27 +83,36 @@ const LEAST_SPACINGS: f64 = 64.0;
 /// # Errors
 /// [`TrajectoryError`] by what goes wrong, with the place.
 pub fn find_trajectory<E>(
-    mut rate: impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+    rate: impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
     start: &[f64],
     range: [f64; 2],
     tolerance: f64,
 ) -> Result<Trajectory, TrajectoryError<E>> {
-    let mut n_evaluations = 0;
-    let mut rate = |place: f64, state: &[f64]| {
-        n_evaluations += 1;
-        rate(place, state)
-    };
+    find_branched_trajectory(&mut OneBranch(rate), start, range, tolerance)
+}
+
+/// [`find_trajectory`] of a rate that tells where it goes another way, and what the state is beyond: steps end there.
+///
+/// # Errors
+/// As for [`find_trajectory`].
+pub fn find_branched_trajectory<E>(
+    rate: &mut impl BranchedRate<E>,
+    start: &[f64],
+    range: [f64; 2],
+    tolerance: f64,
+) -> Result<Trajectory, TrajectoryError<E>> {
+    let mut rate = Counted { rate, n_asked: 0 };
     let mut found = settled(&mut rate, start, range, [tolerance, LEAST_STEPS])?;
     if found.overlooks(&mut rate, range, tolerance) {
         found = settled(&mut rate, start, range, [tolerance, FINER_STEPS])?;
     }
-    found.n_evaluations = n_evaluations;
+    found.n_evaluations = rate.n_asked;
     Ok(found)
 }
 
 /// The trajectory that stays the same with smaller errors in each of so many steps or more.
 fn settled<E>(
-    rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+    rate: &mut impl BranchedRate<E>,
     start: &[f64],
     range: [f64; 2],
     [tolerance, least_steps]: [f64; 2],
@@ -129,7 +139,7 @@ fn settled<E>(
 
 /// The trajectory with errors in each step of this share of the tolerance.
 fn trajectory<E>(
-    rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+    rate: &mut impl BranchedRate<E>,
     start: &[f64],
     [from, to]: [f64; 2],
     [tolerance, share, least_steps]: [f64; 3],
@@ -139,9 +149,9 @@ fn trajectory<E>(
     let spacing = beside.next_up() - beside;
     let least = (TRAJECTORY_STEP_RELATIVE * (to - from)).max(LEAST_SPACINGS * spacing);
     let allowed = |size: f64| share * tolerance.max(TRAJECTORY_RELATIVE * size);
-    let first = rate(from, start).map_err(TrajectoryError::Function)?;
+    let first = rate.begin(from, start).map_err(TrajectoryError::Function)?;
     let mut last = Step { place: from, state: start.to_vec(), rate: first };
-    let mut steps = Vec::new();
+    let (mut steps, mut behind_jumps) = (Vec::new(), Vec::new());
     let (mut width, mut was_refused, mut stiffness) = (most, false, Stiffness::default());
     while last.place < to {
         // Two steps in the place of one and a rest.
@@ -149,34 +159,48 @@ fn trajectory<E>(
         let is_last = left <= width;
         width = if left < 2.0 * width { 0.5 * left } else { width };
         width = if is_last { left } else { width };
-        let trial = Trial::new(rate, &last, if is_last { to } else { last.place + width });
+        let end = if is_last { to } else { last.place + width };
+        let trial = Trial::new(&mut |place, state: &[f64]| rate.along(place, state), &last, end);
         let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error(&last.state, allowed));
         let growth = Trial::growth(error, was_refused);
         // Beside a jump of the rate the shortest step may be off by more.
         let is_shortest = width <= least;
         let most_error = if is_shortest { TRAJECTORY_FIRST_SHARE / share } else { 1.0 };
         was_refused = most_error < error;
-        match trial {
+        let beyond_end = (end + width).min(to);
+        width = (growth * width).clamp(least, most);
+        let step = match trial {
             Ok(trial) if !was_refused => {
                 stiffness.note(trial.stiffness);
-                let at = trial.step.place;
-                let goes_on = work::push(&mut steps, std::mem::replace(&mut last, trial.step))
-                    && work::passes(STATES_A_STEP * start.len());
-                if TRAJECTORY_STEPS < steps.len() || !goes_on {
-                    return Err(TrajectoryError::Long { at, is_stiff: stiffness.is_stiff() });
-                }
+                trial.step
             }
-            trial if is_shortest => {
-                let Step { place: at, state, .. } = last;
-                let ended = |_| TrajectoryError::Ends { at, state };
-                return Err(trial.map_or_else(TrajectoryError::Function, ended));
+            Ok(_) if is_shortest => {
+                return Err(TrajectoryError::Ends { at: last.place, state: last.state });
             }
-            _ => {}
+            Err(failed) if is_shortest => {
+                behind_jumps.push(steps.len() + 1);
+                (width, was_refused) = (most, false);
+                beyond(rate, failed, &last, beyond_end).map_err(TrajectoryError::Function)?
+            }
+            _ => continue,
+        };
+        let at = step.place;
+        let goes_on = work::push(&mut steps, std::mem::replace(&mut last, step))
+            && work::passes(STATES_A_STEP * start.len());
+        if TRAJECTORY_STEPS < steps.len() || !goes_on {
+            return Err(TrajectoryError::Long { at, is_stiff: stiffness.is_stiff() });
         }
-        width = (growth * width).clamp(least, most);
     }
     steps.push(last);
-    with_second_derivatives(rate, steps)
+    with_second_derivatives(rate, &steps, &behind_jumps)
+}
+
+/// The step over a place at which the rate goes another way.
+fn beyond<E>(rate: &mut impl BranchedRate<E>, failed: E, from: &Step, to: f64) -> Result<Step, E> {
+    let branch_end = BranchEnd { place: from.place, state: &from.state, rate: &from.rate };
+    let state = rate.beyond(failed, branch_end, to)?;
+    let rate = rate.begin(to, &state)?;
+    Ok(Step { place: to, state, rate })
 }
 
 /// Copies of the state that a step makes.
@@ -217,26 +241,33 @@ impl Stiffness {
 /// The nodes with their second derivatives: the change of the rate along the trajectory in the wider of the
 /// steps beside each, where it counts most. In the narrower one the rate may jump.
 fn with_second_derivatives<E>(
-    rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
-    steps: Vec<Step>,
+    rate: &mut impl BranchedRate<E>,
+    steps: &[Step],
+    behind_jumps: &[usize],
 ) -> Result<Trajectory, TrajectoryError<E>> {
     let mut nodes = Vec::with_capacity(steps.len());
     for (idx, node) in steps.iter().enumerate() {
         let before = idx.checked_sub(1).and_then(|idx| steps.get(idx));
-        let width = |other: &Step| (other.place - node.place).abs();
+        // Over a jump there is no change that counts.
+        let width = |other: &Step| {
+            let behind = if other.place < node.place { idx } else { idx + 1 };
+            let is_jump = behind_jumps.binary_search(&behind).is_ok();
+            if is_jump { 0.0 } else { (other.place - node.place).abs() }
+        };
         let beside = [before, steps.get(idx + 1)].into_iter().flatten();
         let wider = beside.max_by(|a, b| width(a).total_cmp(&width(b)));
         let Some(wider) = wider else { unreachable!("a trajectory has a step or more") };
         let look = TRAJECTORY_LOOK_SHARE * (wider.place - node.place);
         let mut ask =
-            |place| rate(place, &node.cubic(wider, place)).map_err(TrajectoryError::Function);
+            |place| rate.at(place, &node.cubic(wider, place)).map_err(TrajectoryError::Function);
         let (near, far) = (ask(node.place + look)?, ask(node.place + 2.0 * look)?);
         let change = |i: usize| 4.0 * near[i] - 3.0 * node.rate[i] - far[i];
         let second = (0..node.state.len()).map(|i| change(i) / (2.0 * look)).collect();
         let Step { place, state, rate } = node.clone();
         nodes.push(TrajectoryNode { place, state, rate, second });
     }
-    Ok(Trajectory { nodes, error: 0.0, n_evaluations: 0 })
+    let jumps = behind_jumps.iter().map(|&idx| [steps[idx - 1].place, steps[idx].place]).collect();
+    Ok(Trajectory { nodes, error: 0.0, n_evaluations: 0, jumps })
 }
 
 /// Between these parts of a step its places are farther apart than behind them; that at a fifth counts for no state.
@@ -247,7 +278,7 @@ impl Trajectory {
     /// would change it by more than the tolerance over the distance of looks; or whether there is none.
     fn overlooks<E>(
         &self,
-        rate: &mut impl FnMut(f64, &[f64]) -> Result<Vec<f64>, E>,
+        rate: &mut impl BranchedRate<E>,
         [from, to]: [f64; 2],
         tolerance: f64,
     ) -> bool {
@@ -256,7 +287,7 @@ impl Trajectory {
             let state = self.at(place);
             let size = state.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
             let allowed = tolerance.max(TRAJECTORY_RELATIVE * size);
-            let Ok(rates) = rate(place, &state) else { return true };
+            let Ok(rates) = rate.at(place, &state) else { return true };
             let along = self.rate_at(place);
             !rates.iter().zip(&along).all(|(a, b)| (a - b).abs() * apart <= allowed)
         };

@@ -19,6 +19,8 @@ pub struct Trajectory {
     pub error: f64,
     /// How often the rate was asked for.
     pub n_evaluations: usize,
+    /// Beside which places it may jump, since its rate goes another way between.
+    pub(super) jumps: Vec<[f64; 2]>,
 }
 
 /// A place of a trajectory.
@@ -82,11 +84,25 @@ impl Trajectory {
     }
 
     /// Where two differ most at the nodes of the other one and halfway between, by how much, and how large they
-    /// are.
+    /// are. Between a jump of the one and the same jump of the other nothing is compared.
     pub(super) fn apart(&self, other: &Self) -> (f64, f64, f64) {
+        if self.jumps.len() != other.jumps.len() {
+            let first =
+                self.jumps.iter().zip(&other.jumps).find(|(a, b)| a[1] < b[0] || b[1] < a[0]);
+            let longer = if self.jumps.len() < other.jumps.len() { other } else { self };
+            let jump = first.map(|(a, _)| a).or_else(|| longer.jumps.last());
+            return (jump.map_or(f64::NAN, |jump| jump[0]), f64::INFINITY, 0.0);
+        }
+        let is_at_jump = |place: f64| {
+            let behind = other.jumps.partition_point(|jump| jump[1] < place);
+            let beside = behind.saturating_sub(1)..(behind + 1).min(other.jumps.len());
+            let mut pairs = self.jumps[beside.clone()].iter().zip(&other.jumps[beside]);
+            pairs.any(|(a, b)| a[0].min(b[0]) <= place && place <= a[1].max(b[1]))
+        };
         let (mut at, mut error, mut size) = (f64::NAN, 0.0_f64, 0.0_f64);
         let middles = other.nodes.windows(2).map(|pair| 0.5 * (pair[0].place + pair[1].place));
-        for place in other.nodes.iter().map(|node| node.place).chain(middles) {
+        let places = other.nodes.iter().map(|node| node.place).chain(middles);
+        for place in places.filter(|place| !is_at_jump(*place)) {
             for (a, b) in self.at(place).iter().zip(other.at(place)) {
                 size = size.max(b.abs());
                 if error < (a - b).abs() || !(a - b).is_finite() {

@@ -23,6 +23,12 @@ pub const JUMP_LOOK: f64 = 1e-6;
 /// Larger refuses jumps beside which the function slopes; smaller loses steep roots, such as that of a tenth root.
 pub const JUMP_KEEPS: f64 = 0.99;
 
+/// The power of the distance with which a function shrinks beside a change of sign stays at this share of itself further
+/// on, where there is a root with a vertical tangent.
+///
+/// Larger loses roots beside which the function bends; smaller takes a jump for a root that is small beside its slopes.
+pub(crate) const STEEP_POWER_KEEPS: f64 = 0.75;
+
 /// A function whose least distance from zero is this fraction of its values touches zero there.
 ///
 /// Larger takes what comes near for a root; smaller takes rounding for a distance.
@@ -55,6 +61,11 @@ pub(crate) const INTEGRAL_SEEN_RELATIVE: f64 = 1e-6;
 ///
 /// Larger leaves the stretch in which it is smooth; smaller leaves rounding.
 pub const SWITCH_STEP_RELATIVE: f64 = 1e-3;
+
+/// Places move together if their speeds differ by less than this fraction.
+///
+/// Larger takes two places that part for one; smaller parts one by the rounding of its differences.
+pub const SWITCH_SPEED_RELATIVE: f64 = 1e-6;
 
 /// A function that differs by less than this fraction on both sides of a place does not jump there.
 ///

@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use super::super::math::empty;
 use crate::{
-    diag::{Code, Diagnostic, Result, Spanned},
-    value::{Callback, Ctx, Dimension, List, Value},
+    diag::{Code, Diagnostic, Result, Span, Spanned},
+    kernel::{GeomError, LocalError},
+    value::{At, Callback, Ctx, Dimension, FromValue, List, Number, Real, Value},
 };
 
 /// What decides the order of the elements of a list; any two have one.
@@ -60,9 +61,28 @@ pub(super) fn extreme_index(
     let keys = sort_keys(ctx, list, by)?;
     let better = |a: usize, b: usize| ordering(&keys[b], &keys[a]) == Some(wanted);
     match (0..keys.len()).reduce(|best, idx| if better(best, idx) { idx } else { best }) {
-        Some(idx) => Ok(idx),
+        Some(idx) => {
+            keys.iter().try_for_each(|key| check_tie(&keys[idx], key, list.span))?;
+            Ok(idx)
+        }
         None => empty(list.span, what),
     }
+}
+
+/// That two keys are not equal numbers with other derivatives, beside which their order is another one.
+///
+/// # Errors
+/// Such ones.
+pub(super) fn check_tie(a: &Value, b: &Value, span: Span) -> Result<()> {
+    if !(a.is_jet() || b.is_jet()) || ordering(a, b) != Some(Ordering::Equal) {
+        return Ok(());
+    }
+    let real = |key: &Value| Number::<Real>::from_value(key, span).ok();
+    let Some((a, _)) = real(a).zip(real(b)).filter(|(a, b)| !a.value.goes_with(&b.value)) else {
+        return Ok(());
+    };
+    let what = "the order of equal numbers";
+    Err(GeomError::from(LocalError::NotDifferentiable { what, at: a.value.value() })).at(span)
 }
 
 /// The order of two numbers or two strings.

@@ -46,6 +46,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     }
     let Spanned { value: p, span } = &args.p;
     let t = varying::closest(&args.c, p, foot.parameter).at(*span)?;
+    if foot.count > 1 && matches!(t, Real::Jet(_)) {
+        varying::check_only(&args.c, p, foot.parameter).at(*span)?;
+    }
     let point = match &t {
         Real::Plain(_) => Vector::Plain(foot.point),
         Real::Jet(t) => {

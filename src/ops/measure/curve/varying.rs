@@ -240,7 +240,59 @@ pub(super) fn closest(curve: &RealCurve, p: &Vector, t: f64) -> Measured<Real> {
         let slope = d[0].minus(p).dot(&d[1]).like(like);
         found = found.minus(&slope.scaled(1.0 / bend)).with_value(t);
     }
+    // On the end itself it stays there on one side, and goes into the curve on the other.
+    let is_on_end = (t <= domain.start() || domain.end() <= t) && !curve.is_closed(0.0);
+    let away = curve.series_beside(&like.same(t), Side::Right, 0)?.remove(0).minus(p);
+    let motion = largest_slope(away.coordinates().iter().map(|part| part.like(like)));
+    let along = speed * largest_slope([found.clone()].into_iter());
+    if is_on_end && LAST_BIT.sqrt() * motion < along {
+        return Err(no_nearest(t));
+    }
     Ok(Real::Jet(found))
+}
+
+/// The largest coefficient of first order of some jets, without its sign.
+fn largest_slope(jets: impl Iterator<Item = Jet>) -> f64 {
+    jets.flat_map(|jet| jet.slopes().to_vec()).fold(0.0, |most: f64, slope| most.max(slope.abs()))
+}
+
+/// That no other place of the curve is as near as that at `t` and becomes so at another rate: beside such a place it is the
+/// nearest one.
+///
+/// # Errors
+/// [`LocalError::NotDifferentiable`].
+pub(super) fn check_only(curve: &RealCurve, p: &Vector, t: f64) -> Measured<()> {
+    let distance = |t: f64| -> Measured<Real> {
+        let place = match p {
+            Vector::Plain(_) => Real::Plain(t),
+            Vector::Jets(jets) => Real::Jet(jets[0].same(t)),
+        };
+        match curve.jet_of(&place)? {
+            Some(t) => curve.series_beside(&t, Side::Right, 0)?.remove(0).minus(p).norm(),
+            None => Ok(Real::Plain(0.0)),
+        }
+    };
+    // The first of the reversed curve is the last one.
+    let (domain, point) = (curve.domain(), curve.point_at(t)?);
+    let rounding = LAST_BIT * (p.value().abs().max_element() + point.abs().max_element());
+    let last = curve.reversed()?.closest(p.value(), rounding)?;
+    if point.distance(p.value()) + rounding < last.distance {
+        return Ok(());
+    }
+    let other = domain.start() + (domain.end() - last.parameter);
+    let other = other.clamp(domain.start(), domain.end());
+    if last.point.distance(point) <= LAST_BIT.sqrt() * (last.distance + rounding) {
+        return Ok(());
+    }
+    let (Real::Jet(one), Real::Jet(other)) = (distance(t)?, distance(other)?) else {
+        return Ok(());
+    };
+    let part = largest_slope([one.minus(&other)].into_iter());
+    let size = largest_slope([one, other].into_iter());
+    match LAST_BIT.sqrt() * size < part {
+        true => Err(no_nearest(t)),
+        false => Ok(()),
+    }
 }
 
 /// The parameters at which two curves cross where one of them varies, which are `place` at their values: where C − D

@@ -75,10 +75,11 @@ fn domain(value: &Value, over: &Spanned<Value>) -> Result<Domain> {
 }
 
 fn refused<T>(found: &Value, span: Span) -> Result<T> {
-    if found.is_jet() {
+    let plain = found.looked_at();
+    if found.is_jet() && matches!(plain, Value::Region(_) | Value::Face(_)) {
         let message = format!(
             "no derivative passes through an integral over {}, and derivatives are wanted",
-            found.looked_at().phrase()
+            plain.phrase()
         );
         return Diagnostic::error(Code::NoDerivative, span, message)
             .hint(CARRIES_DERIVATIVES)
@@ -86,9 +87,9 @@ fn refused<T>(found: &Value, span: Span) -> Result<T> {
     }
     let message = format!(
         "an integral is over a range, a box, a curve, a region, a face or a surface, found {}",
-        found.phrase()
+        plain.phrase()
     );
-    let hint = match found {
+    let hint = match plain {
         Value::Solid(_) => {
             "over the surface of a solid, its `.faces`: `integrate(p => p.z, body.faces)`"
         }

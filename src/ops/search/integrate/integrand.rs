@@ -58,6 +58,12 @@ impl<'a, 'c> Integrand<'a, 'c> {
         self.carried.as_ref()
     }
 
+    /// Of how many numbers its values are, with those of their derivatives; none before it was asked.
+    pub(super) fn n_numbers(&self) -> Option<usize> {
+        let width = self.carried().map_or(1, |like| like.coefficients().len());
+        self.n_parts.map(|n| n * width)
+    }
+
     /// Whether it carries derivatives itself.
     pub(super) fn is_varying(&self) -> bool {
         self.varies

@@ -17,7 +17,7 @@ use crate::{
         sorting::sort_by,
         tolerance::{SWITCH_ALIKE_RELATIVE, SWITCH_STEP_RELATIVE},
     },
-    value::{Real, Switch},
+    value::{Real, Switch, is_like},
 };
 
 /// Changes between two neighbouring places.
@@ -52,13 +52,19 @@ pub(super) struct MovingCuts<'a> {
 }
 
 /// Both sides of a place, with the number of what goes another way.
-struct Cut {
-    sides: [(f64, Found); 2],
-    number: usize,
+pub(super) struct Cut {
+    pub(super) sides: [(f64, Found); 2],
+    pub(super) number: usize,
 }
 
-fn is_like(a: &[Switch], b: &[Switch]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.is_like(b))
+/// Whether a function is another one on both sides of a place, as far as that counts for derivatives of this shape.
+pub(super) fn jumps(like: &Jet, [(_, before), (_, behind)]: &[(f64, Found); 2]) -> bool {
+    let size = before.size.max(behind.size);
+    let (width, order) = (like.coefficients().len(), like.order());
+    let counts =
+        |k: usize| like.n_variables().map_or(k % width < order, |_| k.is_multiple_of(width));
+    let mut parts = before.value.iter().zip(&behind.value).enumerate();
+    parts.any(|(k, (a, b))| counts(k) && SWITCH_ALIKE_RELATIVE * size < (a - b).abs())
 }
 
 impl MovingCuts<'_> {
@@ -95,17 +101,10 @@ impl MovingCuts<'_> {
         };
         // Where it goes another way by plain numbers alone nothing moves.
         let is_still = one.span != other.span || matches!(one.margin, Some(Real::Plain(_)));
-        let size = before.size.max(behind.size);
-        let (width, order) = (self.like.coefficients().len(), self.like.order());
-        let counts = |k: usize| {
-            self.like.n_variables().map_or(k % width < order, |_| k.is_multiple_of(width))
-        };
-        let mut parts = before.value.iter().zip(&behind.value).enumerate();
-        if is_still
-            || !parts.any(|(k, (a, b))| counts(k) && SWITCH_ALIKE_RELATIVE * size < (a - b).abs())
-        {
+        if is_still || !jumps(self.like, &cut.sides) {
             return Ok(Vec::new());
         }
+        let (width, order) = (self.like.coefficients().len(), self.like.order());
         let is_on = |(end, beyond)| beyond == RangeEnd::Corner && (end == *low || end == *high);
         if self.ends.into_iter().zip(self.beyond).any(is_on) {
             return self.unknown(*low);
@@ -147,8 +146,37 @@ impl MovingCuts<'_> {
         Ok(gained.iter().zip(&lost).map(|(a, b)| a - b).collect())
     }
 
-    /// How fast what is compared changes along the range there, from the side that is known farther.
+    /// How fast what is compared changes along the range there: by its derivative, where the function can be asked at
+    /// places that carry some, else from the side that is known farther.
     fn slope(
+        &self,
+        cut: &Cut,
+        idx: usize,
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Result<Option<f64>> {
+        match self.exact_slope(cut, ask) {
+            Some(slope) => Ok(Some(slope)),
+            None => self.slope_by_differences(cut, idx, ask),
+        }
+    }
+
+    fn exact_slope(&self, cut: &Cut, ask: &mut dyn FnMut(Real) -> Result<Found>) -> Option<f64> {
+        let (at, before) = &cut.sides[0];
+        let span = before.switches.get(cut.number).filter(|_| self.can_move)?.span;
+        // At such a place more may be compared that carries derivatives.
+        let is_own = |switch: &&Switch| switch.span == span;
+        let n = before.switches.iter().filter(is_own).count();
+        let number = before.switches[..cut.number].iter().filter(is_own).count();
+        let mut by_first = |slope: f64| {
+            let found = ask(Real::Jet(self.like.with_coefficients(&[*at, slope]))).ok()?;
+            let own: Vec<&Switch> = found.switches.iter().filter(is_own).collect();
+            let margin = own.get(number).filter(|_| own.len() == n)?.margin.as_ref()?;
+            margin.like(self.like).coefficients().get(1).copied()
+        };
+        Some(by_first(1.0)? - by_first(0.0)?)
+    }
+
+    fn slope_by_differences(
         &self,
         cut: &Cut,
         idx: usize,
@@ -180,20 +208,25 @@ impl MovingCuts<'_> {
         Ok(Some(sum / step))
     }
 
-    fn unknown(&self, at: f64) -> Result<Vec<f64>> {
-        let message = format!(
-            "the function under the integral jumps or kinks near {}, which moves with what derivatives are wanted by",
-            six_digit_place(at)
-        );
-        Diagnostic::error(Code::NoDerivative, self.span, message)
-            .label("no derivative passes through here")
-            .hint("make that place an end of the range: `integrate(f, 0..x) + integrate(g, x..1)`; or take differences")
-            .fail()
+    fn unknown<T>(&self, at: f64) -> Result<T> {
+        unknown(self.span, at)
     }
 }
 
+/// Fails: a place moves, and nobody knows how, or on one side alone.
+pub(super) fn unknown<T>(span: Span, at: f64) -> Result<T> {
+    let message = format!(
+        "the function under the integral jumps or kinks near {}, which moves with what derivatives are wanted by",
+        six_digit_place(at)
+    );
+    Diagnostic::error(Code::NoDerivative, span, message)
+        .label("no derivative passes through here")
+        .hint("make that place an end of the range: `integrate(f, 0..x) + integrate(g, x..1)`; or take differences")
+        .fail()
+}
+
 /// The first change between two places that go different ways, with the place behind it; none between neighbouring numbers.
-fn between(
+pub(super) fn between(
     [low, high]: [&SeenPlace; 2],
     ask: &mut dyn FnMut(Real) -> Result<Found>,
 ) -> Result<Option<(Cut, SeenPlace)>> {

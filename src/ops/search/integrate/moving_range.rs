@@ -4,6 +4,7 @@ use super::{
     super::SearchRange,
     found::{Found, Tolerances, nested},
     integrand::{IntegralRange, Integrand, settled},
+    range_end::RangeLimit,
 };
 use crate::{
     diag::{Code, Result, Spanned},
@@ -107,17 +108,31 @@ pub(super) fn over_box(
             if is_far { Box::new(found.hint(TOO_FAR)) } else { found }
         })?
     } else {
-        let n = ask(integrand, Real::Plain(low))?.value.len();
+        // Ends are never asked for where it is known of how many numbers its values are.
+        let n = integrand
+            .n_numbers()
+            .map_or_else(|| ask(integrand, Real::Plain(low)).map(|found| found.value.len()), Ok)?;
         Found::exact(vec![0.0; n])
     };
     if is_backwards {
         total.value.iter_mut().for_each(|part| *part = -*part);
     }
     let Some(like) = integrand.carried().cloned() else { return Ok(total) };
-    let width = like.coefficients().len();
-    for (end, sign) in first.ends.iter().zip([-1.0, 1.0]) {
+    let (width, span) = (like.coefficients().len(), integrand.span());
+    let beside = low.abs().max(high.abs());
+    for ((end, sign), is_start) in first.ends.iter().zip([-1.0, 1.0]).zip([true, false]) {
+        if is_still && matches!(end, Real::Plain(_)) {
+            continue;
+        }
+        let inward = match () {
+            () if high <= low => 0.0,
+            () if is_start != is_backwards => 1.0,
+            () => -1.0,
+        };
+        let limit = RangeLimit { end, inward, spacing: beside.next_up() - beside };
+        let place = limit.place((&like, span), |at| ask(integrand, at))?;
         let Real::Jet(end) = end else { continue };
-        let gain = moved_end(end, |at| -> Result<Vec<Jet>> {
+        let gain = moved_end(&end.clone().with_value(place), |at| -> Result<Vec<Jet>> {
             let flat = ask(integrand, Real::Jet(at.clone()))?.value;
             Ok(flat.chunks(width).map(|part| like.with_coefficients(part)).collect())
         })?;

@@ -1,92 +1,31 @@
-//! `ode`: the curve along which a point moves that changes at a known rate.
+//! What a trajectory is of, as the script holds it and as numbers.
 
 use std::sync::Arc;
 
-use super::{MOST_LABELS, SearchRange, no_derivatives, six_digits, unknowns::numbers};
+use super::{
+    super::{MOST_LABELS, SearchRange, six_digits, unknowns::numbers},
+    OP,
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         ConstructionReport, GeomError, Jet, NurbsCurve, PointSlopes, ReportEntry, Trajectory,
-        TrajectoryError, VariedCurve, ceiling::TRAJECTORY_STEPS, find_trajectory,
+        VariedCurve,
     },
-    ops::positive,
-    value::{At, Callback, Ctx, FromValue, IntoValue, Length, Range, Real, Value, Vector, op},
+    value::{Callback, Ctx, FromValue, IntoValue, Real, Value, Vector},
 };
-
-op! {
-    /// Curve of a point that starts somewhere and changes at the rate that a function tells: the solution of an
-    /// ordinary differential equation, such as a streamline or a curve of given curvature.
-    ///
-    /// Its parameter is the variable of the function, over the range. Several points that depend on one
-    /// another, such as a place and a velocity, are a list: the function is given a list and yields one, and the
-    /// result is a list of curves. Numbers are coordinates of points.
-    ///
-    /// The curve is a spline of degree 5 with two continuous derivatives. It is followed again with smaller
-    /// errors in each step until it stays the same within the tolerance, so that the last one is nearer still;
-    /// `report` tells by how much they differ as `error`, and has `steps` and `evaluations`. The rate is looked at
-    /// between the places of its steps as well, so that what acts on a hundredth of the range is seen; what acts on less
-    /// may lie between them: let ranges end where it begins and ends. Where the point
-    /// grows without bound, or more than 50000 steps are needed, as for stiff equations, that is refused with
-    /// the place. Derivatives pass through, by what the function and the start depend on, within the tolerance.
-    /// Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §II.4-II.6.
-    ode in Math -> Value {
-        /// A function of the variable and the point, or the list of points, that yields the derivative.
-        f: Spanned<Callback>,
-        /// Where the point is at the start of the range, or a list of points.
-        start: Spanned<Value>,
-        /// The range of the variable.
-        range: Spanned<Range>,
-        /// How far the curve may be off; the document's tolerance unless given.
-        tolerance: Option<Spanned<Length>>,
-    }
-    example "ode((t, p) => (-p.y, p.x), start = (1, 0), range = 0..pi).end ~= (-1, 0)" => "true";
-    example "ode((t, p) => p, start = (1, 0), range = 0..1, tolerance = 1e-10)(1).x ~= e within 1e-10" => "true";
-    example "ode((s, p) => (cos(p.z), sin(p.z), s), start = (0, 0), range = 0..2).end.z ~= 2" => "true";
-    example "[for c in ode((t, s) => [s[1], -s[0]], start = [(1, 0), (0, 1)], range = 0..pi): c.end] ~= [(-1, 0), (0, -1)]" => "true";
-    example "gradient(k => ode((t, p) => (k * p.x, 0), start = (1, 0), range = 0..1, tolerance = 1e-10).end.x, 2) ~= e^2 within 1e-8" => "true";
-    refuses "ode((t, p) => (p.x^2, 0), start = (1, 0), range = 0..2)" => "E0504: the trajectory ends at 1";
-    refuses "ode((t, p) => 1, start = (0, 0), range = 0..1)" => "E0301: the function must yield a point, but it yields the number 1";
-    refuses "ode((t, p) => p, start = 1, range = 0..1)" => "E0301: a trajectory starts from a point or a list of points, found the number 1";
-    refuses "ode((t, p) => p, start = (1, 0), range = 1..0)" => "E0606: an interval needs its start below its end, got 1..0";
-    scene r#"
-        curve clothoid = ode((s, p) => (cos(p.z), sin(p.z), s), start = (0, 0), range = 0..6)
-          |> project(plane((0, 0), (0, 0, 1)))
-    "#;
-}
-
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let state = State::new(&args.start)?;
-    let range = SearchRange::new(args.range)?;
-    let tolerance = match args.tolerance {
-        Some(tolerance) => positive("the tolerance", tolerance)?,
-        None => ctx.tolerance.distance,
-    };
-    let state = match ctx.caller.is_varying(&args.f.value.0) && state.like.is_none() {
-        true => state.varying_as(ctx, &args.f, &range)?,
-        false => state,
-    };
-    let is_known = state.like.as_ref().is_none_or(|like| like.n_variables().is_some());
-    if !is_known {
-        return no_derivatives(args.f.span);
-    }
-    let start = state.start();
-    let rate = |place, parts: &[f64]| state.rate(ctx, &args.f, &range, (place, parts));
-    let found = find_trajectory(rate, &start, range.ends, tolerance)
-        .map_err(|err| refusal(err, args.f.span, &range, &state))?;
-    state.curves(&found).at(ctx.span)
-}
 
 /// What changes: one point, or several, with their slopes where derivatives are carried along. These follow the
 /// equation that the derivative of the trajectory by a variable fulfils. Hairer, Nørsett & Wanner, §I.14.
-struct State {
+pub(super) struct State {
     points: Vec<Vector>,
     is_list: bool,
     /// The shape of what is carried along.
-    like: Option<Jet>,
+    pub(super) like: Option<Jet>,
 }
 
 impl State {
-    fn new(start: &Spanned<Value>) -> Result<Self> {
+    pub(super) fn new(start: &Spanned<Value>) -> Result<Self> {
         let refused = |value: &Value| {
             let message = format!(
                 "a trajectory starts from a point or a list of points, found {}",
@@ -115,27 +54,22 @@ impl State {
         }
     }
 
-    /// The same with what a function that varies yields at the start.
-    fn varying_as(
-        mut self,
-        ctx: &mut Ctx<'_>,
-        f: &Spanned<Callback>,
-        range: &SearchRange,
-    ) -> Result<Self> {
-        let found = self.asked(ctx, f, range, (range.ends[0], &self.start()))?;
-        self.like = found.into_iter().find_map(|part| match part {
-            Real::Jet(jet) => Some(jet),
-            Real::Plain(_) => None,
-        });
-        Ok(self)
+    /// The same with derivatives of this shape.
+    pub(super) fn varying_as(self, like: Jet) -> Self {
+        Self { like: Some(like), ..self }
+    }
+
+    /// Of how many numbers it is without its slopes.
+    pub(super) fn n_numbers(&self) -> usize {
+        3 * self.points.len()
     }
 
     /// The coordinates of all points, then their slopes by each variable in turn.
-    fn start(&self) -> Vec<f64> {
-        self.flat(self.points.iter().flat_map(Vector::coordinates).collect())
+    pub(super) fn start(&self) -> Vec<f64> {
+        self.flat(&self.points.iter().flat_map(Vector::coordinates).collect::<Vec<Real>>())
     }
 
-    fn flat(&self, parts: Vec<Real>) -> Vec<f64> {
+    pub(super) fn flat(&self, parts: &[Real]) -> Vec<f64> {
         let mut all: Vec<f64> = parts.iter().map(Real::value).collect();
         if let Some(like) = &self.like {
             let jets: Vec<Jet> = parts.iter().map(|part| part.like(like)).collect();
@@ -166,7 +100,7 @@ impl State {
     }
 
     /// The state of these numbers as messages tell it.
-    fn rounded(&self, parts: &[f64]) -> Value {
+    pub(super) fn rounded(&self, parts: &[f64]) -> Value {
         let six = |part: &f64| six_digits(*part, None).parse().unwrap_or(*part);
         self.value(&parts.iter().map(six).collect::<Vec<f64>>()).looked_at()
     }
@@ -180,17 +114,7 @@ impl State {
     }
 
     /// What the function yields at a place.
-    fn rate(
-        &self,
-        ctx: &mut Ctx<'_>,
-        f: &Spanned<Callback>,
-        range: &SearchRange,
-        (place, parts): (f64, &[f64]),
-    ) -> Result<Vec<f64>> {
-        self.asked(ctx, f, range, (place, parts)).map(|parts| self.flat(parts))
-    }
-
-    fn asked(
+    pub(super) fn asked(
         &self,
         ctx: &mut Ctx<'_>,
         f: &Spanned<Callback>,
@@ -252,7 +176,7 @@ impl State {
     }
 
     /// The curves along which the points move.
-    fn curves(&self, found: &Trajectory) -> std::result::Result<Value, GeomError> {
+    pub(super) fn curves(&self, found: &Trajectory) -> std::result::Result<Value, GeomError> {
         let report = ConstructionReport::of(OP.name)
             .with("error", ReportEntry::Length(found.error))
             .with("steps", found.nodes.len() - 1)
@@ -285,55 +209,5 @@ fn carried(point: &Vector) -> Option<Jet> {
     match point {
         Vector::Jets(jets) => Some(jets[0].clone()),
         Vector::Plain(_) => None,
-    }
-}
-
-/// Why there is no trajectory.
-fn refusal(
-    err: TrajectoryError<Box<Diagnostic>>,
-    span: Span,
-    range: &SearchRange,
-    state: &State,
-) -> Box<Diagnostic> {
-    let refused = |message, label, hint: &str| {
-        Box::new(Diagnostic::error(Code::NoAnswer, span, message).label(label).hint(hint))
-    };
-    match err {
-        TrajectoryError::Function(found) => found,
-        TrajectoryError::Ends { at, state: parts } => {
-            let reached = state.rounded(&parts);
-            refused(
-                format!("the trajectory ends at {}", range.place_text(at)),
-                format!("it has come to {reached} there, and changes faster than can be followed"),
-                "it may grow without bound, or the function jumps there; end the range before",
-            )
-        }
-        TrajectoryError::Long { at, is_stiff } => {
-            let message = format!(
-                "the trajectory takes more than {TRAJECTORY_STEPS} steps to come beyond {}",
-                range.place_text(at)
-            );
-            match is_stiff {
-                true => refused(
-                    message,
-                    "the equation is stiff: something in it changes far faster than the trajectory"
-                        .to_owned(),
-                    "leave out what fades at once, so that its equilibrium holds from the start; or shorten the range",
-                ),
-                false => refused(
-                    message,
-                    "it turns or jumps too often".to_owned(),
-                    "shorten the range, or give a larger `tolerance`",
-                ),
-            }
-        }
-        TrajectoryError::Unsettled { at, error } => refused(
-            format!("the trajectory does not settle near {}", range.place_text(at)),
-            match error.is_finite() {
-                true => format!("with shorter steps it is {} away still", six_digits(error, None)),
-                false => "with shorter steps it is elsewhere".to_owned(),
-            },
-            "the smallest errors grow on the way; shorten the range, or give a larger `tolerance`",
-        ),
     }
 }

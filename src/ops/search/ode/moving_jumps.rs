@@ -1,0 +1,278 @@
+//! Rates of change that go one way or another, where derivatives are carried along: as a place moves at which the rate
+//! jumps, the trajectory goes with the one rate for longer and with the other one for less.
+//!
+//! Which way the function goes is told by its comparisons. Steps end where that changes; how the place moves follows from
+//! what is compared there, by the theorem of implicit functions, and by so much times the jump of the rate the slopes of
+//! the trajectory jump. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §I.14, §II.6.
+
+use super::{Search, State};
+use crate::{
+    diag::{Code, Diagnostic, Result},
+    kernel::{
+        BranchEnd, BranchedRate, Jet, Trajectory,
+        tolerance::{SWITCH_ALIKE_RELATIVE, SWITCH_SPEED_RELATIVE, SWITCH_STEP_RELATIVE},
+    },
+    value::{Ctx, Real, Switch, is_like},
+};
+
+/// All bits of a number, and of what is small beside it.
+const HALVINGS: usize = 128;
+
+/// Where between two places the function is asked, the second where it fails at the first.
+const SHARES: [f64; 2] = [0.5, 0.4375];
+
+/// The derivative at the end of four steps, by the values at all their ends.
+const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
+
+/// By how much such steps become shorter, where on a longer way back another way was gone, and how often.
+const SHORTER: f64 = 0.0625;
+const TIMES_SHORTER: usize = 5;
+
+/// How far beyond an end of the range the rate is looked at, as a share of the range.
+const BEYOND_END: f64 = 1e-11;
+
+/// Why the rate is not told.
+#[derive(Debug)]
+pub(super) enum Stop {
+    /// The function goes another way than where the branch began.
+    Branch,
+    /// The function failed, or no derivative is known.
+    Failed(Box<Diagnostic>),
+}
+
+/// What a function of the script yields at a place, with what decided it.
+struct Asked {
+    rate: Vec<f64>,
+    way: Vec<Switch>,
+}
+
+/// The function where it was asked so far behind the end of a branch.
+struct Beside {
+    width: f64,
+    asked: Asked,
+}
+
+/// The rate that a function of the script tells.
+pub(super) struct ScriptRate<'a, 'c> {
+    ctx: &'a mut Ctx<'c>,
+    search: &'a Search<'a>,
+    state: &'a State,
+    /// Which way the function went where the branch began, and where that is.
+    way: Vec<Switch>,
+    since: f64,
+    /// The shape of derivatives that it told without being given any.
+    pub(super) seen: Option<Jet>,
+}
+
+impl<'a, 'c> ScriptRate<'a, 'c> {
+    pub(super) fn new(ctx: &'a mut Ctx<'c>, search: &'a Search<'a>, state: &'a State) -> Self {
+        Self { ctx, search, state, way: Vec::new(), since: search.range.ends[0], seen: None }
+    }
+
+    fn asked(&mut self, place: f64, parts: &[f64]) -> Result<Asked> {
+        let Search { f, range, varies, .. } = self.search;
+        let is_noted = *varies || self.state.like.is_some();
+        let outer = self.ctx.caller.note_switches(is_noted.then(Vec::new));
+        let found = self.state.asked(self.ctx, f, range, (place, parts));
+        let way = self.ctx.caller.note_switches(outer).unwrap_or_default();
+        let found = found?;
+        if *varies && self.seen.is_none() {
+            let margins = way.iter().filter_map(|switch| switch.margin.as_ref());
+            self.seen = found.iter().chain(margins).find_map(|real| match real {
+                Real::Jet(jet) => Some(jet.clone()),
+                Real::Plain(_) => None,
+            });
+        }
+        Ok(Asked { rate: self.state.flat(&found), way })
+    }
+
+    /// Between which widths behind the end of a branch the function goes another way first, neighbouring numbers; none if
+    /// it does not over all of the width.
+    fn change(&mut self, end: BranchEnd<'_>, width: f64) -> Result<Option<[Beside; 2]>> {
+        let mut beside = |width: f64| -> Result<Beside> {
+            let asked = self.asked(end.place + width, &end.state_after(width))?;
+            Ok(Beside { width, asked })
+        };
+        let [mut inside, mut outside] = [beside(0.0)?, beside(width)?];
+        if is_like(&inside.asked.way, &outside.asked.way) {
+            return Ok(None);
+        }
+        for _ in 0..HALVINGS {
+            let (from, length) = (inside.width, outside.width - inside.width);
+            let places = SHARES.map(|share| from + share * length).into_iter();
+            let is_between = |at: &f64| *at != inside.width && *at != outside.width;
+            // On the place itself there may be no derivative.
+            let found = places.filter(is_between).find_map(|at| beside(at).ok());
+            let Some(found) = found else { break };
+            let is_inside = is_like(&found.asked.way, &inside.asked.way);
+            *(if is_inside { &mut inside } else { &mut outside }) = found;
+        }
+        Ok(Some([inside, outside]))
+    }
+
+    /// By how much the rate falls from one side to the other; none where it goes on.
+    fn jump(&self, [before, behind]: [&Asked; 2]) -> Option<Vec<f64>> {
+        let n = self.state.n_numbers();
+        let size = before.rate[..n].iter().chain(&behind.rate[..n]);
+        let size = size.fold(0.0, |most: f64, part| most.max(part.abs()));
+        let jump: Vec<f64> =
+            before.rate.iter().zip(&behind.rate).take(n).map(|(a, b)| a - b).collect();
+        jump.iter().any(|part| SWITCH_ALIKE_RELATIVE * size < part.abs()).then_some(jump)
+    }
+
+    /// How the place moves with each variable at which the function goes over from one way to the other.
+    fn motion(&mut self, end: BranchEnd<'_>, ways: [&[Switch]; 2]) -> Result<Vec<f64>> {
+        let Some(like) = &self.state.like else { return Ok(Vec::new()) };
+        let mut known: Option<Vec<f64>> = None;
+        let pairs = ways[0].iter().zip(ways[1]).take_while(|(one, other)| one.span == other.span);
+        for (number, (one, _)) in pairs.enumerate().filter(|(_, (one, other))| !one.is_like(other))
+        {
+            let Some(margin) = &one.margin else { return self.unknown(end.place) };
+            let mut motion = margin.like(like).slopes().to_vec();
+            if motion.iter().any(|slope| *slope != 0.0) {
+                let Some(speed) = self.speed(end, number)? else { return self.unknown(end.place) };
+                motion.iter_mut().for_each(|slope| *slope /= -speed);
+            }
+            let size = motion.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+            let is_other = |known: &Vec<f64>| {
+                let mut pairs = known.iter().zip(&motion);
+                pairs.any(|(a, b)| SWITCH_SPEED_RELATIVE * size.max(a.abs()) < (a - b).abs())
+            };
+            // What is decided in one place by several comparisons is so only as long as they move together.
+            if known.as_ref().is_some_and(is_other) {
+                return self.unknown(end.place);
+            }
+            known = Some(motion);
+        }
+        known.map_or_else(|| self.unknown(end.place), Ok)
+    }
+
+    /// How fast what is compared changes along the trajectory before the end of a branch; none where it does not, or is not
+    /// the same function.
+    fn speed(&mut self, end: BranchEnd<'_>, number: usize) -> Result<Option<f64>> {
+        let [from, to] = self.search.range.ends;
+        let mut step = (0.25 * (end.place - self.since)).min(SWITCH_STEP_RELATIVE * (to - from));
+        for _ in 0..TIMES_SHORTER {
+            let speed = self.speed_over(end, number, step)?;
+            if speed.is_some_and(|speed| speed.is_finite() && speed != 0.0) {
+                return Ok(speed);
+            }
+            step *= SHORTER;
+        }
+        Ok(None)
+    }
+
+    fn speed_over(&mut self, end: BranchEnd<'_>, number: usize, step: f64) -> Result<Option<f64>> {
+        let mut sum = 0.0;
+        for (k, weight) in SLOPE.iter().enumerate() {
+            let back = -(k as f64) * step;
+            let found = self.asked(end.place + back, &end.state_after(back))?;
+            let margin = found.way.get(number).and_then(|switch| switch.margin.as_ref());
+            let Some(margin) = margin.filter(|_| is_like(&found.way, &self.way)) else {
+                return Ok(None);
+            };
+            sum += weight * margin.value();
+        }
+        Ok(Some(sum / step))
+    }
+
+    /// The state behind the end of a branch, with the slopes that have jumped.
+    fn state_beyond(&mut self, end: BranchEnd<'_>, to: f64) -> Result<Vec<f64>> {
+        let Some([inside, outside]) = self.change(end, to - end.place)? else {
+            return Ok(end.state_after(to - end.place));
+        };
+        let mut state = end.state_after(inside.width);
+        let jump = self.jump([&inside.asked, &outside.asked]);
+        let mut moves = false;
+        if let Some(jump) = &jump {
+            let motion = self.motion(end, [&inside.asked.way, &outside.asked.way])?;
+            moves = motion.iter().any(|part| *part != 0.0);
+            for (motion, slopes) in motion.iter().zip(state.chunks_mut(jump.len()).skip(1)) {
+                slopes.iter_mut().zip(jump).for_each(|(slope, jump)| *slope += motion * jump);
+            }
+        }
+        let place = end.place + outside.width;
+        let rate = self.asked(place, &state)?.rate;
+        let behind = BranchEnd { place, state: &state, rate: &rate }.state_after(to - place);
+        // It turns back at once, goes a third way, or the range ends there.
+        let is_beside = || to >= self.search.range.ends[1];
+        if moves && (is_beside() || !is_like(&self.asked(to, &behind)?.way, &outside.asked.way)) {
+            return self.unknown(end.place);
+        }
+        Ok(behind)
+    }
+
+    /// That at neither end of the range the rate jumps at a place that moves: it has a derivative on each side alone.
+    ///
+    /// # Errors
+    /// Such an end.
+    pub(super) fn check_ends(&mut self, found: &Trajectory) -> Result<()> {
+        let (Some(like), [from, to]) = (&self.state.like, self.search.range.ends) else {
+            return Ok(());
+        };
+        let reach = BEYOND_END * (to - from);
+        for (node, width) in [(found.nodes.first(), -reach), (found.nodes.last(), reach)] {
+            let Some(node) = node else { continue };
+            let end = BranchEnd { place: node.place, state: &node.state, rate: &node.rate };
+            // Beyond the range there may be no rate.
+            let Ok(Some([inside, outside])) = self.change(end, width) else { continue };
+            let ways = inside.asked.way.iter().zip(&outside.asked.way);
+            let mut other = ways.filter(|(one, other)| !one.is_like(other));
+            let moves = other.next().is_some_and(|(one, _)| {
+                let slopes = one.margin.as_ref().map(|margin| margin.like(like).slopes().to_vec());
+                slopes.is_none_or(|slopes| slopes.iter().any(|slope| *slope != 0.0))
+            });
+            if moves && self.jump([&inside.asked, &outside.asked]).is_some() {
+                return self.unknown(node.place);
+            }
+        }
+        Ok(())
+    }
+
+    fn unknown<T>(&self, at: f64) -> Result<T> {
+        let message = format!(
+            "the rate jumps at {}, and how that place moves with what derivatives are wanted by is not known",
+            self.search.range.place_text(at)
+        );
+        Diagnostic::error(Code::NoDerivative, self.search.f.span, message)
+            .label("no derivative passes through here")
+            .hint("the trajectory may turn back there, start, end, or only touch what is compared; take differences: `gradient(f, at, differences = true)`")
+            .fail()
+    }
+}
+
+impl BranchedRate<Stop> for ScriptRate<'_, '_> {
+    fn at(&mut self, place: f64, state: &[f64]) -> std::result::Result<Vec<f64>, Stop> {
+        self.asked(place, state).map(|found| found.rate).map_err(Stop::Failed)
+    }
+
+    fn begin(&mut self, place: f64, state: &[f64]) -> std::result::Result<Vec<f64>, Stop> {
+        let found = self.asked(place, state).map_err(Stop::Failed)?;
+        (self.way, self.since) = (found.way, place);
+        Ok(found.rate)
+    }
+
+    fn along(&mut self, place: f64, state: &[f64]) -> std::result::Result<Vec<f64>, Stop> {
+        match self.asked(place, state) {
+            Ok(found) if self.state.like.is_none() || is_like(&found.way, &self.way) => {
+                Ok(found.rate)
+            }
+            Ok(_) => Err(Stop::Branch),
+            // On the place itself at which it kinks there is no derivative.
+            Err(found) if found.code == Code::NoDerivative => Err(Stop::Branch),
+            Err(found) => Err(Stop::Failed(found)),
+        }
+    }
+
+    fn beyond(
+        &mut self,
+        failed: Stop,
+        end: BranchEnd<'_>,
+        to: f64,
+    ) -> std::result::Result<Vec<f64>, Stop> {
+        match failed {
+            Stop::Branch => self.state_beyond(end, to).map_err(Stop::Failed),
+            failed @ Stop::Failed(_) => Err(failed),
+        }
+    }
+}
