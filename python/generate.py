@@ -103,6 +103,7 @@ ARGUMENTS = {
     "integer": "float",
     "point": "PointLike",
     "function": "FunctionLike",
+    "range": "tuple[Quantity, Quantity]",
     "record": "dict[str, Any]",
     "bool": "bool",
 }

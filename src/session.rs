@@ -132,7 +132,13 @@ impl Report {
     #[must_use]
     pub fn value(&self, name: &str) -> Option<HeldValue> {
         let defined = self.definitions.iter().find(|defined| defined.name == name)?;
-        Some(HeldValue { value: defined.value.clone()?, kept: self.kept.clone() })
+        Some(self.held(defined.value.clone()?))
+    }
+
+    /// A value of this run, such as one that it printed, with what it needs to answer.
+    #[must_use]
+    pub fn held(&self, value: Value) -> HeldValue {
+        HeldValue { value, kept: self.kept.clone() }
     }
 
     /// How many findings are of a severity.

@@ -1,19 +1,22 @@
 //! Values on their way between Python and the language.
 //!
 //! On the way in the type of the parameter decides: a pair of numbers is a point where a point is wanted,
-//! and a range where that is. What fits no type goes in as it is, so that the language says what it wants.
+//! and a range where that is; a `virote.Range` is one everywhere. What fits no type goes in as it is, so that the
+//! language says what it wants.
 
 use std::sync::Arc;
 
 use numpy::{
-    AllowTypeChange, PyArray1, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray,
+    AllowTypeChange, PyArray1, PyArrayDescrMethods, PyArrayLikeDyn, PyArrayMethods, PyUntypedArray,
     PyUntypedArrayMethods,
 };
 use pyo3::{
     exceptions::{PyTypeError, PyValueError},
     prelude::*,
     sync::PyOnceLock,
-    types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple},
+    types::{
+        PyBool, PyByteArray, PyBytes, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple, PyType,
+    },
 };
 use virote::{
     kernel::glam::DVec3,
@@ -22,7 +25,7 @@ use virote::{
     value::{Dimension, List, Number, Range, Record, Type, Value, radians_of},
 };
 
-use crate::geometry::Held;
+use crate::{arrays, errors::class, geometry::Held};
 
 /// A point as an array.
 pub(crate) fn point(py: Python<'_>, point: DVec3) -> Bound<'_, PyArray1<f64>> {
@@ -36,8 +39,13 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         Value::Bool(truth) => PyBool::new(py, *truth).to_owned().into_any(),
         Value::Number(number) => PyFloat::new(py, number.value).into_any(),
         Value::Text(text) => PyString::new(py, text).into_any(),
-        Value::Point(at) => point(py, *at).into_any(),
-        Value::Range(range) => PyTuple::new(py, [range.start.value, range.end.value])?.into_any(),
+        Value::Point(at) => {
+            arrays::load(py)?;
+            point(py, *at).into_any()
+        }
+        Value::Range(range) => {
+            range_class(py)?.call1((range.start.value, range.end.value, range.closed))?
+        }
         Value::List(items) => list(py, held, items)?,
         Value::Record(record) => {
             let members = PyDict::new(py);
@@ -82,6 +90,7 @@ fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<
         })
         .collect();
     if let Some(numbers) = numbers.filter(|numbers| !numbers.is_empty()) {
+        arrays::load(py)?;
         return Ok(PyArray1::from_vec(py, numbers).into_any());
     }
     let points: Option<Vec<[f64; 3]>> = items
@@ -92,6 +101,7 @@ fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<
         })
         .collect();
     if let Some(points) = points.filter(|points| !points.is_empty()) {
+        arrays::load(py)?;
         let flat = PyArray1::from_vec(py, points.concat());
         return Ok(flat.reshape([points.len(), 3])?.into_any());
     }
@@ -173,7 +183,7 @@ pub(crate) fn from_python(
     if let Some(value) = held(given, intake) {
         return Ok(value);
     }
-    if given.is_instance_of::<PyBool>() || is_numpy_bool(given) {
+    if is_bool(given) {
         return Ok(Value::Bool(given.is_truthy()?));
     }
     if let Ok(text) = given.cast::<PyString>() {
@@ -188,25 +198,40 @@ pub(crate) fn from_python(
         return Ok(number);
     }
     if let Ok(members) = given.cast::<PyDict>() {
-        return record(members, intake);
+        return record(members, ty, intake);
+    }
+    if given.is_instance(range_class(given.py())?)? {
+        let closed = given.getattr("closed")?.is_truthy()?;
+        let refused =
+            || PyTypeError::new_err("the ends of a range are numbers, or texts with a unit");
+        return range(given, closed, intake)?.ok_or_else(refused);
     }
     sequence(given, ty, intake)
 }
 
-/// A dictionary, whose keys are the names of fields.
-fn record(members: &Bound<'_, PyDict>, intake: &mut Intake) -> PyResult<Value> {
+/// A dictionary, whose keys are the names of fields. Where a record stands for several of what the parameter may be
+/// else, such as a range for each unknown, its members are read as that.
+fn record(members: &Bound<'_, PyDict>, ty: Type, intake: &mut Intake) -> PyResult<Value> {
+    let of = match ty {
+        Type::OneOf(types) if types.contains(&Type::Record) => ty,
+        _ => Type::Any,
+    };
     intake.enter()?;
-    let found = fields(members, intake);
+    let found = fields(members, of, intake);
     intake.leave();
     Ok(Value::Record(Arc::new(Record::new(found?))))
 }
 
 /// By a loop, as the elements of lists: each level of a nested value takes its part of a stack that Python made,
 /// which iterators inside one another would take several times.
-fn fields(members: &Bound<'_, PyDict>, intake: &mut Intake) -> PyResult<Vec<(Arc<str>, Value)>> {
+fn fields(
+    members: &Bound<'_, PyDict>,
+    of: Type,
+    intake: &mut Intake,
+) -> PyResult<Vec<(Arc<str>, Value)>> {
     let mut found = Vec::with_capacity(members.len());
     for (name, member) in members {
-        found.push((field_name(&name)?, from_python(&member, Type::Any, intake)?));
+        found.push((field_name(&name)?, from_python(&member, of, intake)?));
     }
     Ok(found)
 }
@@ -231,8 +256,14 @@ fn held(given: &Bound<'_, PyAny>, intake: &mut Intake) -> Option<Value> {
     Some((*inner.get().value).clone())
 }
 
-fn is_numpy_bool(given: &Bound<'_, PyAny>) -> bool {
-    given.get_type().name().is_ok_and(|name| name == "bool" || name == "bool_")
+/// A truth value, of Python or of NumPy.
+fn is_bool(given: &Bound<'_, PyAny>) -> bool {
+    given.is_instance_of::<PyBool>()
+        || given.get_type().name().is_ok_and(|name| name == "bool" || name == "bool_")
+}
+
+fn is_of_truths(array: &Bound<'_, PyUntypedArray>) -> bool {
+    array.dtype().kind() == b'b'
 }
 
 /// A text, or the quantity that it says where a number is wanted.
@@ -266,12 +297,15 @@ pub(crate) fn quantity(text: &str) -> Option<Number> {
 fn number(given: &Bound<'_, PyAny>) -> PyResult<Option<Value>> {
     let is_number = given.is_instance_of::<PyFloat>() || given.is_instance_of::<PyInt>();
     let is_scalar = || {
-        let array = given.cast::<PyUntypedArray>();
-        let has_float = given.hasattr("__float__").unwrap_or(false);
-        has_float
-            && array.map_or(!given.hasattr("__len__").unwrap_or(true), |array| array.ndim() == 0)
+        if !given.hasattr("__float__").unwrap_or(false) {
+            return Ok(false);
+        }
+        PyResult::Ok(match arrays::array(given)? {
+            Some(array) => array.ndim() == 0 && !is_of_truths(array),
+            None => !given.hasattr("__len__").unwrap_or(true),
+        })
     };
-    if !is_number && !is_scalar() {
+    if is_bool(given) || !is_number && !is_scalar()? {
         return Ok(None);
     }
     finite(given.extract::<f64>()?).map(|value| Some(Value::number(value)))
@@ -286,9 +320,13 @@ fn finite(value: f64) -> PyResult<f64> {
 
 /// Sequences and arrays.
 fn sequence(given: &Bound<'_, PyAny>, ty: Type, intake: &mut Intake) -> PyResult<Value> {
+    if given.is_instance_of::<PyBytes>() || given.is_instance_of::<PyByteArray>() {
+        let told = "bytes have no meaning in the language; `list(data)` is a list of their numbers";
+        return Err(PyTypeError::new_err(told));
+    }
     match ty {
         Type::Point => vector(given).or_else(|_| any_sequence(given, intake)),
-        Type::Range => match range(given, intake)? {
+        Type::Range => match range(given, true, intake)? {
             Some(range) => Ok(range),
             None => any_sequence(given, intake),
         },
@@ -313,15 +351,21 @@ fn sequence(given: &Bound<'_, PyAny>, ty: Type, intake: &mut Intake) -> PyResult
     }
 }
 
+/// The class of ranges, which are told apart from points.
+fn range_class(py: Python<'_>) -> PyResult<&Bound<'_, PyType>> {
+    static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+    class(py, &CLASS, "virote._geometry", "Range")
+}
+
 /// Two numbers as a range.
-fn range(given: &Bound<'_, PyAny>, intake: &mut Intake) -> PyResult<Option<Value>> {
+fn range(given: &Bound<'_, PyAny>, closed: bool, intake: &mut Intake) -> PyResult<Option<Value>> {
     let ends: Vec<Bound<'_, PyAny>> = given.extract().unwrap_or_default();
     let [start, end] = &ends[..] else { return Ok(None) };
     let start = from_python(start, Type::Number, intake)?;
     let end = from_python(end, Type::Number, intake)?;
     Ok(match (start, end) {
         (Value::Number(start), Value::Number(end)) => {
-            Some(Value::Range(Range { start, end, closed: true }))
+            Some(Value::Range(Range { start, end, closed }))
         }
         _ => None,
     })
@@ -330,8 +374,8 @@ fn range(given: &Bound<'_, PyAny>, intake: &mut Intake) -> PyResult<Option<Value
 /// A list of elements of a type.
 fn items(given: &Bound<'_, PyAny>, of: Type, intake: &mut Intake) -> PyResult<Value> {
     let is_number = matches!(of, Type::Number | Type::Ratio | Type::Count | Type::Integer);
-    if is_number && given.cast::<PyUntypedArray>().is_ok() {
-        return numbers(given);
+    if is_number && let Some(array) = arrays::array(given)?.filter(|array| !is_of_truths(array)) {
+        return numbers(array);
     }
     intake.enter()?;
     let found = elements(given, of, intake);
@@ -359,7 +403,7 @@ fn iterate<'py>(given: &Bound<'py, PyAny>) -> PyResult<Vec<Bound<'py, PyAny>>> {
 
 /// Refuses arrays that have masked elements, whose numbers mean nothing.
 fn check_mask(given: &Bound<'_, PyAny>) -> PyResult<()> {
-    if given.cast_exact::<PyUntypedArray>().is_ok() || given.cast::<PyUntypedArray>().is_err() {
+    if arrays::array(given)?.is_none_or(|array| array.is_exact_instance_of::<PyUntypedArray>()) {
         return Ok(());
     }
     match given.getattr_opt("mask")? {
@@ -400,10 +444,10 @@ fn vector(given: &Bound<'_, PyAny>) -> PyResult<Value> {
 /// What nobody said anything about: a tuple of numbers is a point, rows of two or three numbers are
 /// points, and all else is a list.
 fn any_sequence(given: &Bound<'_, PyAny>, intake: &mut Intake) -> PyResult<Value> {
-    if let Ok(array) = given.cast::<PyUntypedArray>() {
+    if let Some(array) = arrays::array(given)? {
         let shape = array.shape().to_vec();
         return match shape[..] {
-            [_] => numbers(given),
+            [_] if !is_of_truths(array) => numbers(given),
             [_, 2 | 3] => items(given, Type::Point, intake),
             _ => items(given, Type::Any, intake),
         };

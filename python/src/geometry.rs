@@ -21,6 +21,7 @@ use virote::{
 };
 
 use crate::{
+    arrays,
     blocks::{add, each_flat, flat_array},
     convert,
     errors::geom_error,
@@ -241,6 +242,7 @@ impl Held {
 
     /// What a curve, surface, mesh or table is made of, by name.
     fn parts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        arrays::load(py)?;
         let parts = PyDict::new(py);
         match &*self.value {
             Value::Curve(curve) => curve_parts(py, curve, &parts)?,

@@ -2,9 +2,10 @@
 //!
 //! The classes that people use are written in Python (`virote/`), with their documentation and types;
 //! here is what they stand on: `session` evaluates, `convert` takes values across, `geometry` evaluates
-//! over arrays (`blocks`), `picture` draws, `interrupt` lets other threads of Python run meanwhile, and Ctrl-C
+//! over arrays (`arrays`, `blocks`), `picture` draws, `interrupt` lets other threads of Python run meanwhile, and Ctrl-C
 //! end it.
 
+mod arrays;
 mod blocks;
 mod convert;
 mod errors;

@@ -18,13 +18,13 @@ use serde_json::{Value as Json, json};
 use virote::{
     diag::{Diagnostic, Severity, Sources},
     disk::{OutputTarget, ScriptFiles, TargetRefusal, replace},
-    eval::{Checked, Setting},
+    eval::{Checked, Printed, Setting},
     kernel::Tolerance,
     limits::{Ceiling, Limits, work::StopToken},
     render,
     session::{self, Arguments, Event, HeldValue, Report},
     syntax::ast::Unit,
-    value::{Function, Op, Type, Value, to_json},
+    value::{Function, Op, Type, Value},
 };
 
 use crate::{
@@ -222,8 +222,8 @@ fn first_error(py: Python<'_>, report: &Report) -> PyErr {
     }
 }
 
-/// Arguments as the types of the built-in read them: of several of one name the first whose first
-/// parameter takes the first argument.
+/// Arguments as the types of the built-in read them: of several of one name that which the language calls,
+/// by the first argument and the places for all of them.
 fn arguments(
     callee: &HeldValue,
     args: &Bound<'_, PyTuple>,
@@ -232,24 +232,27 @@ fn arguments(
     let Value::Function(Function::Builtin(_, ops)) = &**callee else {
         return read(None, args, named);
     };
-    for op in ops.iter() {
-        let Ok(read) = read(Some(op), args, named) else { continue };
-        let first = read.positional.first();
-        let takes = match (first, op.params.first()) {
-            (Some(first), Some(parameter)) => match parameter.ty {
-                Type::List(of, _) if parameter.spreads => {
-                    parameter.ty.accepts(first) || of.accepts(first)
-                }
-                ty => ty.accepts(first),
-            },
-            (None, _) => true,
-            (Some(_), None) => false,
-        };
-        if takes {
-            return Ok(read);
+    let mut taken = None;
+    if let [_, _, ..] = ops[..] {
+        let first_name = ops[0].params.first().map(|param| param.name);
+        for op in ops.iter() {
+            let Ok(read) = read(Some(op), args, named) else { continue };
+            let by_name = || read.named.iter().find(|(name, _)| Some(name.as_str()) == first_name);
+            let first = read.positional.first().or_else(|| by_name().map(|(_, value)| value));
+            if first.is_some_and(|first| !op.takes_first(first)) {
+                continue;
+            }
+            let labels = read.named.iter().map(|(name, _)| name.as_str());
+            if op.has_places(read.positional.len(), labels) {
+                return Ok(read);
+            }
+            taken.get_or_insert(read);
         }
     }
-    read(ops.first().copied(), args, named)
+    match taken {
+        Some(read) => Ok(read),
+        None => read(ops.first().copied(), args, named),
+    }
 }
 
 fn read(
@@ -368,17 +371,17 @@ impl Results {
         Json::Array(checks.collect()).to_string()
     }
 
-    /// Printed lines as JSON.
-    fn prints(&self) -> String {
+    /// Printed lines: the expression, the line, the value.
+    fn prints<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, String, Bound<'py, PyAny>)>> {
         let prints = self.report.events.iter().filter_map(|event| match event {
-            Event::Printed(printed) => Some(json!({
-                "source": printed.source,
-                "text": printed.to_string(),
-                "value": to_json(&printed.value),
-            })),
+            Event::Printed(printed) => Some(printed),
             _ => None,
         });
-        Json::Array(prints.collect()).to_string()
+        let told = |printed: &Printed| {
+            let value = to_python(py, &self.report.held(printed.value.clone()))?;
+            Ok((printed.source.clone(), printed.to_string(), value))
+        };
+        prints.map(told).collect()
     }
 
     /// Names of the files that the script exports.

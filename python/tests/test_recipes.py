@@ -120,6 +120,95 @@ def test_a_component_refuses_what_the_script_refuses() -> None:
         problem.run_model()
 
 
+STEPS = """
+param n: integer = 4 in 2..8
+param rise = 30mm in 10mm..50mm step 5mm
+param x = 3mm in 1mm..9mm
+param one = 3mm in 3mm..3mm
+let f = n^2 * 30mm * (x / 1mm) + rise + one
+"""
+
+
+@pytest.mark.parametrize("mode", ["fwd", "rev"])
+def test_a_component_has_no_derivative_by_what_goes_in_steps(tmp_path: Path, mode: str) -> None:
+    om = pytest.importorskip("openmdao.api")
+    script = tmp_path / "a.geo"
+    script.write_text(STEPS)
+    problem = om.Problem(reports=False)
+    problem.model.add_subsystem("part", optimize.Component(script=script, outputs=["f"]), promotes=["*"])
+    problem.setup(mode=mode)
+    problem.run_model()
+    # f = 30 n^2 x + rise + one
+    assert problem.compute_totals(of=["f"], wrt=["x"])["f", "x"][0, 0] == pytest.approx(480)
+    for name, why in [("n", "goes in steps"), ("rise", "goes in steps"), ("one", "has one value")]:
+        with pytest.raises(ValueError, match=f"no derivative by the parameter '{name}', which {why}"):
+            problem.compute_totals(of=["f"], wrt=["x", name])
+    problem.set_val("n", 4.7)
+    with pytest.raises(ValueError, match="'n' is a whole number, found 4.7"):
+        problem.run_model()
+    problem.set_val("n", 5)
+    problem.run_model()
+    assert problem.get_val("f")[0] == 30 * 25 * 3 + 33
+
+
+VALUES = """
+param b: integer = 3 in 0..<8
+param odd: integer = 3 in 1..<9 step 2
+param half: integer = 2 in 0.5..4 step 0.5
+param q = 0.3 in 0..<0.7 step 0.1
+param x = 3mm in 1mm..<9mm
+param turned = 90deg in 0deg..<180deg
+param t = 10deg in [10deg, 20deg]
+param plate = 2mm^2 in [1mm^2, 2mm^2]
+param holes: integer = 3 in [1, 3]
+param word = "a" in ["a", "b"]
+let sum = b + odd + half + q
+"""
+
+
+def test_values_are_those_that_the_script_takes(tmp_path: Path) -> None:
+    script = tmp_path / "a.geo"
+    script.write_text(VALUES)
+    bounds = dict(zip(*(optimize.salib_problem(script)[key] for key in ("names", "bounds"))))
+    assert bounds["b"] == [0, 7] and bounds["odd"] == [1, 7] and bounds["half"] == [1, 4]
+    assert bounds["q"] == [0, 0.6] and 8.99999999 < bounds["x"][1] < 9
+    names = list(bounds)
+    plan = optimize.plan_of(script, names, [[-99] * 4 + [1, 0], [bounds[name][1] for name in names]])
+    assert plan[0] == {"b": 0, "odd": 1, "half": 1, "q": 0.0, "x": "1.0mm", "turned": "0.0deg"}
+    assert [plan[1][name] for name in names[:4]] == [7, 7, 4, 0.6]
+    assert optimize.plan_of(script, ["b", "q"], [[7.6, 0.29]]) == [{"b": 7, "q": 0.3}]
+    assert virote.study(script, plan, workers=1, progress=False).errors == {}
+    for name in ("t", "word"):
+        with pytest.raises(ValueError, match=f"'{name}' has choices, and SALib"):
+            optimize.salib_problem(script, ["b", name])
+        with pytest.raises(ValueError, match=f"'{name}' has choices, and samples"):
+            optimize.plan_of(script, [name], [[1]])
+
+
+def test_a_component_refuses_choices(tmp_path: Path) -> None:
+    om = pytest.importorskip("openmdao.api")
+    script = tmp_path / "a.geo"
+    script.write_text(VALUES)
+    problem = om.Problem(reports=False)
+    component = optimize.Component(script=script, inputs=["b", "word"], outputs=["sum"])
+    problem.model.add_subsystem("part", component)
+    with pytest.raises(ValueError, match="'word' has choices.*`params`"):
+        problem.setup()
+
+
+def test_optuna_tries_what_the_script_takes(tmp_path: Path) -> None:
+    optuna = pytest.importorskip("optuna")
+    optuna.logging.set_verbosity(optuna.logging.WARNING)
+    script = tmp_path / "a.geo"
+    script.write_text(VALUES)
+    distributions = optimize.optuna_distributions(script)
+    assert distributions["b"].high == 7 and distributions["q"].high == 0.6
+    assert distributions["t"].choices == ("10.0deg", "20.0deg") and distributions["holes"].choices == (1, 3)
+    study = optuna.create_study(sampler=optuna.samplers.RandomSampler(seed=1))
+    study.optimize(lambda trial: virote.run(script, optimize.suggest(trial, script))["sum"], n_trials=60)
+    assert len(study.trials) == 60
+
+
 def test_outputs_have_the_units_of_their_definitions(tmp_path: Path) -> None:
     om = pytest.importorskip("openmdao.api")
     script = tmp_path / "a.geo"

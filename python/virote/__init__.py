@@ -26,7 +26,19 @@ if TYPE_CHECKING:
         Print,
         WriteError,
     )
-    from ._geometry import Curve, Face, Frame, Function, Mesh, Region, Solid, Surface, Table, Value
+    from ._geometry import (
+        Curve,
+        Face,
+        Frame,
+        Function,
+        Mesh,
+        Range,
+        Region,
+        Solid,
+        Surface,
+        Table,
+        Value,
+    )
     from ._operations import *  # noqa: F403
     from ._results import Results
     from ._session import Session, function, run
@@ -45,6 +57,7 @@ if TYPE_CHECKING:
         "Mesh",
         "Place",
         "Print",
+        "Range",
         "Region",
         "Results",
         "Session",
@@ -65,7 +78,7 @@ if TYPE_CHECKING:
 #: Where names are defined that are no operations.
 _HOMES = {
     "_findings": "Check CheckFailed Diagnostic GeoError GeoWarning Place Print WriteError",
-    "_geometry": "Curve Face Frame Function Mesh Region Solid Surface Table Value",
+    "_geometry": "Curve Face Frame Function Mesh Range Region Solid Surface Table Value",
     "_results": "Results",
     "_session": "Session function run",
     "_study": "StudyError StudyResults grid study",

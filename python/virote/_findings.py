@@ -79,7 +79,7 @@ class Print(NamedTuple):
     text: str
     """The line."""
     value: Any
-    """The value, as exact JSON has it."""
+    """The value, as :class:`virote.Results` has those of definitions."""
 
 
 class GeoWarning(UserWarning):

@@ -18,10 +18,75 @@ if TYPE_CHECKING:
     #: What can be points: an array of two or three columns, or a sequence of points.
     PointsLike = Sequence[PointLike] | FloatArray
 
-__all__ = ["Curve", "Face", "Frame", "Function", "Mesh", "Region", "Solid", "Surface", "Table", "Value"]
+__all__ = [
+    "Curve",
+    "Face",
+    "Frame",
+    "Function",
+    "Mesh",
+    "Range",
+    "Region",
+    "Solid",
+    "Surface",
+    "Table",
+    "Value",
+]
 
 #: A number in the document's unit, or a text with a unit: ``15``, ``"15mm"``, ``"30deg"``.
 Quantity = float | str
+
+
+class Range(tuple["Any", "Any"]):
+    """A range from one number to another: what a script writes as ``0..5``, and as ``0..<5`` without its end.
+
+    It is a tuple of its two ends. Where an operation takes a range and no point, a plain tuple of two numbers
+    or of two texts with a unit is one; a ``Range`` is one everywhere. Ranges that come from a script are such.
+
+    >>> import virote
+    >>> virote.integrate("x => x^2", virote.Range(0, 3))
+    9.0
+    >>> start, end = virote.Session().run_text("let r = 2..<5")["r"]
+    >>> start, end
+    (2.0, 5.0)
+
+    :param start: where it begins: a number, or a text with a unit, ``"2cm"``.
+    :param end: where it ends.
+    :param closed: whether its end is in it.
+    """
+
+    closed: bool
+    """Whether its end is in it."""
+
+    def __new__(cls, start: Quantity, end: Quantity, closed: bool = True) -> Range:
+        found = super().__new__(cls, (start, end))
+        found.closed = bool(closed)
+        return found
+
+    def __getnewargs__(self) -> tuple[Any, Any, bool]:
+        return (*self, self.closed)
+
+    @property
+    def start(self) -> Any:
+        """Where it begins."""
+        return self[0]
+
+    @property
+    def end(self) -> Any:
+        """Where it ends."""
+        return self[1]
+
+    def __eq__(self, other: object) -> bool:
+        return tuple.__eq__(self, other) is True and self.closed == getattr(other, "closed", True)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = tuple.__hash__
+
+    def __repr__(self) -> str:
+        tail = "" if self.closed else ", closed=False"
+        return f"Range({self[0]!r}, {self[1]!r}{tail})"
+
 
 #: The highest order of derivatives that is told; beyond that of a curve's degree few are of use.
 _HIGHEST_ORDER = 64

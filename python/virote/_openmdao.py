@@ -9,7 +9,7 @@ from openmdao.utils.units import valid_units
 
 from ._findings import GeoError
 from ._session import Session
-from .optimize import _in_unit, _parameters
+from .optimize import _bounds, _in_unit, _steps, _with_range
 
 #: Units of the language that OpenMDAO calls otherwise.
 _UNITS = {"in": "inch", "turn": "rev"}
@@ -39,7 +39,8 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
 
     Derivatives are differences, which the script answers quickly: a session remembers what a step does
     not touch. A variant that the script refuses raises ``AnalysisError``, upon which optimisers
-    shorten their step.
+    shorten their step. By a parameter that goes in steps, as whole numbers do, there is no derivative:
+    it can be an input, and ``ValueError`` is raised where totals are taken by it.
     """
 
     def initialize(self) -> None:
@@ -52,8 +53,9 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
 
     def setup(self) -> None:
         """Declares inputs with their defaults and units, and outputs with theirs."""
-        chosen = _parameters(self.options["script"], self.options["inputs"])
-        self._varied = {one["name"]: one for one in chosen if one["range"]}
+        why = "inputs of OpenMDAO are numbers of ranges: give it a value by `params`"
+        chosen = _with_range(self.options["script"], self.options["inputs"], why)
+        self._varied = {one["name"]: one for one in chosen}
         for name, one in self._varied.items():
             unit = _unit(one["unit"])
             self.add_input(name, val=float(one["default"]), units=unit, desc=one["label"] or "")
@@ -72,10 +74,22 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
             outputs[name] = value
 
     def compute_partials(self, inputs: Any, partials: Any) -> None:
-        """Central differences; at an end of a range those from inside."""
+        """Central differences; at an end of a range those from inside.
+
+        :raises ValueError: where totals are taken by a parameter that has none.
+        """
         at = self._place(inputs)
         for name, one in self._varied.items():
-            low, high = one["range"]["start"], one["range"]["end"]
+            if not self._is_asked(name):
+                continue
+            low, high = _bounds(one)
+            if _steps(one) or not low < high:
+                why = "goes in steps" if low < high else "has one value"
+                raise ValueError(
+                    f"there is no derivative by the parameter {name!r}, which {why}: leave it out of `wrt` "
+                    "and of the design variables, or declare it in the script without a step, as a number "
+                    "with a wider range"
+                )
             step = self.options["step"] * (high - low)
             before, behind = max(at[name] - step, low), min(at[name] + step, high)
             left = self._answers({**at, name: before})
@@ -91,6 +105,10 @@ class Component(om.ExplicitComponent):  # type: ignore[misc]
             return {}
         outputs = [name for name in self.options["outputs"] if name in results]
         return {name: _unit(results.unit(name)) for name in outputs}
+
+    def _is_asked(self, name: str) -> bool:
+        """Whether totals are taken by an input, or by what it comes from."""
+        return bool(self._relevance.is_relevant(f"{self.pathname}.{name}"))
 
     def _place(self, inputs: Any) -> dict[str, float]:
         return {name: float(inputs[name][0]) for name in self._varied}

@@ -2560,7 +2560,7 @@ def insert_knot(*args: Any, c: Any = None, t: Any = None, times: Any = None, s: 
     return _called("insert_knot", args, {"c": c, "t": t, "times": times, "s": s, "u": u, "v": v})
 
 
-def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, report: bool | None = None) -> Any:
+def integrate(f: FunctionLike, over: tuple[Quantity, Quantity] | Sequence[tuple[Quantity, Quantity]] | Curve | Region | Face | Surface | Sequence[Curve | Region | Face | Surface], *, tolerance: Quantity | None = None, report: bool | None = None) -> Any:
     """Integral of a function over a range; or over a box of two or three ranges, the length of a curve, the area
     of a region, a face or a surface, or several curves or several areas together. Of numbers it is a number,
     of points a point.
@@ -2586,7 +2586,7 @@ def integrate(f: FunctionLike, over: Any, *, tolerance: Quantity | None = None, 
     :param tolerance: How far the integral may be off, in units of its own; thirteen digits unless given.
     :param report: Whether a record tells how it was found: the `integral`, the `error` that two rules leave, and `evaluations`. Default: ``false``.
 
-    In scripts: ``integrate(f: function, over: any, tolerance: number = none, report: bool = false) -> any``
+    In scripts: ``integrate(f: function, over: range | list of ranges | curve | region | face | surface | list of curves, regions, faces or surfaces, tolerance: number = none, report: bool = false) -> any``
     """
     return _called("integrate", (), {"f": f, "over": over, "tolerance": tolerance, "report": report})
 
@@ -3130,7 +3130,7 @@ def max_(*args: Any, numbers: Any = None) -> float:
     return _called("max", args, {"numbers": numbers})  # type: ignore[no-any-return]
 
 
-def maximize(f: FunctionLike, *, within: Any = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
+def maximize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tuple[Quantity, Quantity]] | dict[str, Any] | None = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
     """Unknowns at which a function is greatest: a number within a range, or several unknowns within bounds,
     from a start, and under conditions.
 
@@ -3154,7 +3154,7 @@ def maximize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     :param subject: Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a list of such. They hold to eight digits of the unknowns; `<` is taken for `<=`.
     :param report: Whether a record tells how it was found: `at`, the `value` there, `evaluations`, and whether `derivatives` were `"exact"`, `"differences"` or `"none"`. Default: ``false``.
 
-    In scripts: ``maximize(f: function, within: any = none, start: any = none, subject: any = none, report: bool = false) -> any``
+    In scripts: ``maximize(f: function, within: range | list of ranges | record = none, start: any = none, subject: any = none, report: bool = false) -> any``
     """
     return _called("maximize", (), {"f": f, "within": within, "start": start, "subject": subject, "report": report})
 
@@ -3219,7 +3219,7 @@ def min_(*args: Any, numbers: Any = None) -> float:
     return _called("min", args, {"numbers": numbers})  # type: ignore[no-any-return]
 
 
-def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
+def minimize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tuple[Quantity, Quantity]] | dict[str, Any] | None = None, start: Any = None, subject: Any = None, report: bool | None = None) -> Any:
     """Unknowns at which a function is least: a number within a range, or several unknowns within bounds,
     from a start, and under conditions.
 
@@ -3244,7 +3244,7 @@ def minimize(f: FunctionLike, *, within: Any = None, start: Any = None, subject:
     :param subject: Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a list of such. They hold to eight digits of the unknowns; `<` is taken for `<=`.
     :param report: Whether a record tells how it was found: `at`, the `value` there, `evaluations`, and whether `derivatives` were `"exact"`, `"differences"` or `"none"`. Default: ``false``.
 
-    In scripts: ``minimize(f: function, within: any = none, start: any = none, subject: any = none, report: bool = false) -> any``
+    In scripts: ``minimize(f: function, within: range | list of ranges | record = none, start: any = none, subject: any = none, report: bool = false) -> any``
     """
     return _called("minimize", (), {"f": f, "within": within, "start": start, "subject": subject, "report": report})
 

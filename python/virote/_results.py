@@ -100,11 +100,9 @@ class Results(_Values):
     @property
     def prints(self) -> list[Print]:
         """The printed lines."""
-        import json
-
         from ._findings import Print
 
-        return [Print(**one) for one in json.loads(self._inner.prints())]
+        return [Print(*one) for one in self._inner.prints()]
 
     @property
     def diagnostics(self) -> list[Diagnostic]:

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from math import ceil, floor, ulp
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, NamedTuple, Union
 
 from ._session import ParameterValue, Session
 
@@ -36,32 +38,101 @@ def _parameters(script: Script, names: Iterable[str] | None) -> list[dict[str, A
     return found
 
 
+def _with_range(script: Script, names: Iterable[str] | None, why: str) -> list[dict[str, Any]]:
+    """The same of parameters whose values are numbers of a range; ``why`` says who takes no others."""
+    chosen = _parameters(script, names)
+    if names is not None:
+        for one in chosen:
+            if not one["range"]:
+                raise ValueError(f"the parameter {one['name']!r} has choices, and {why}")
+    chosen = [one for one in chosen if one["range"]]
+    if not chosen:
+        raise ValueError(f"no parameter of {Path(script).name} has a range, and {why}")
+    return chosen
+
+
 def _in_unit(parameter: Mapping[str, Any], value: float) -> ParameterValue:
-    """A number as the script reads it: with the unit in which its range is told."""
-    number = int(value) if parameter["kind"] == "integer" else float(value)
+    """A number as the script reads it: with the unit in which its range and its choices are told."""
+    number = float(value)
+    if parameter["kind"] == "integer":
+        if not number.is_integer():
+            raise ValueError(f"the parameter {parameter['name']!r} is a whole number, found {number!r}")
+        number = int(number)
     unit = parameter["unit"]
     return f"{number!r}{unit}" if unit else number
 
 
+def _choices(parameter: Mapping[str, Any]) -> list[ParameterValue]:
+    """The choices as the script reads them."""
+    is_number = lambda choice: isinstance(choice, (int, float)) and not isinstance(choice, bool)
+    return [_in_unit(parameter, one) if is_number(one) else one for one in parameter["choices"]]
+
+
+class _Steps(NamedTuple):
+    """The values of a parameter that goes in steps: the first, and so many more at a distance."""
+
+    first: Fraction
+    step: Fraction
+    count: int
+
+    def value(self, idx: int) -> float:
+        return float(self.first + self.step * idx)
+
+
+def _steps(parameter: Mapping[str, Any]) -> _Steps | None:
+    """The values of a parameter that goes in steps, as whole numbers do; ``None`` of one that may be any number."""
+    ends, is_integer = parameter["range"], parameter["kind"] == "integer"
+    if not is_integer and not parameter["step"]:
+        return None
+    # The decimals that are told, so that steps of 0.1 from 0 come to 0.3.
+    start, end, step = (Fraction(str(one)) for one in (ends["start"], ends["end"], parameter["step"] or 1))
+    if is_integer:
+        at = start if parameter["step"] else Fraction(ceil(start))
+        firsts = (at + step * i for i in range(step.denominator * at.denominator))
+        first = next((one for one in firsts if one.denominator == 1), None)
+        if first is None:
+            raise ValueError(f"no step of the parameter {parameter['name']!r} comes to a whole number")
+        # The least multiple of the step that is whole.
+        start, step = first, Fraction(step.numerator)
+    # An end that was computed may lie a rounding beside the last step.
+    rounding = Fraction(1, 10**9)
+    most = floor((end - start) / step + rounding)
+    if not ends["closed"] and end <= start + (most + rounding) * step:
+        most -= 1
+    return _Steps(start, step, max(most, 0))
+
+
+def _bounds(parameter: Mapping[str, Any]) -> tuple[float, float]:
+    """The least and the largest number that a parameter may be."""
+    if steps := _steps(parameter):
+        return steps.value(0), steps.value(steps.count)
+    ends = parameter["range"]
+    low, high = float(ends["start"]), float(ends["end"])
+    # What is left out is no value; so near to it the script may read another number as the end.
+    return low, high if ends["closed"] else high - 4 * ulp(max(abs(low), abs(high)))
+
+
 def _snapped(parameter: Mapping[str, Any], value: float) -> float:
     """The value on the steps of the parameter that is nearest to one."""
-    step, start = parameter["step"], parameter["range"]["start"]
-    if parameter["kind"] == "integer":
-        step = step or 1
-    if not step:
+    steps = _steps(parameter)
+    if steps is None:
         return float(value)
-    # As many steps as fit.
-    most = int((parameter["range"]["end"] - start) / step + 1e-9)
-    return float(start + step * min(max(round((value - start) / step), 0), most))
+    idx = round((value - float(steps.first)) / float(steps.step))
+    return steps.value(min(max(idx, 0), steps.count))
 
 
 def salib_problem(script: Script, names: Iterable[str] | None = None) -> dict[str, Any]:
-    """The ``problem`` of SALib: names and bounds of the parameters that have a range."""
-    chosen = [one for one in _parameters(script, names) if one["range"]]
+    """The ``problem`` of SALib: names and bounds of the parameters that have a range.
+
+    :raises ValueError: for a name whose parameter has choices, of which SALib knows nothing.
+    """
+    chosen = _with_range(
+        script, names, "SALib samples numbers of ranges: make a study for each choice, or leave it out"
+    )
     return {
         "num_vars": len(chosen),
         "names": [one["name"] for one in chosen],
-        "bounds": [[one["range"]["start"], one["range"]["end"]] for one in chosen],
+        "bounds": [list(_bounds(one)) for one in chosen],
     }
 
 
@@ -70,9 +141,11 @@ def plan_of(
 ) -> list[dict[str, ParameterValue]]:
     """Rows of numbers, such as a sampler of SALib or SciPy gives, as a plan for :func:`virote.study`.
 
-    Numbers are in the unit of the parameter's range; one with a step goes to the nearest.
+    Numbers are in the unit of the parameter's range; one with a step, or a whole one, goes to the nearest.
+
+    :raises ValueError: for a name whose parameter has choices, and for rows of another length than ``names``.
     """
-    parameters = _parameters(script, names)
+    parameters = _with_range(script, names, "samples are numbers of ranges: leave it out")
     plan = []
     for sample in samples:
         row = [float(value) for value in sample]
@@ -85,19 +158,19 @@ def plan_of(
 
 
 def optuna_distributions(script: Script, names: Iterable[str] | None = None) -> dict[str, Any]:
-    """Distributions of Optuna by name."""
+    """Distributions of Optuna by name; choices that have a unit are texts with it, ``"10deg"``."""
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
 
     found: dict[str, Any] = {}
     for one in _parameters(script, names):
         if one["choices"]:
-            found[one["name"]] = CategoricalDistribution(one["choices"])
+            found[one["name"]] = CategoricalDistribution(_choices(one))
             continue
-        low, high, step = one["range"]["start"], one["range"]["end"], one["step"]
+        (low, high), steps = _bounds(one), _steps(one)
         if one["kind"] == "integer":
-            found[one["name"]] = IntDistribution(int(low), int(high), step=int(step or 1))
+            found[one["name"]] = IntDistribution(int(low), int(high), step=int(steps.step if steps else 1))
         else:
-            found[one["name"]] = FloatDistribution(float(low), float(high), step=step)
+            found[one["name"]] = FloatDistribution(low, high, step=float(steps.step) if steps else None)
     return found
 
 
@@ -109,13 +182,15 @@ def suggest(
     for one in _parameters(script, names):
         name = one["name"]
         if one["choices"]:
-            values[name] = trial.suggest_categorical(name, one["choices"])
+            values[name] = trial.suggest_categorical(name, _choices(one))
             continue
-        low, high, step = one["range"]["start"], one["range"]["end"], one["step"]
+        (low, high), steps = _bounds(one), _steps(one)
         if one["kind"] == "integer":
-            values[name] = trial.suggest_int(name, int(low), int(high), step=int(step or 1))
+            whole = int(steps.step if steps else 1)
+            values[name] = trial.suggest_int(name, int(low), int(high), step=whole)
         else:
-            values[name] = _in_unit(one, trial.suggest_float(name, low, high, step=step))
+            tried = trial.suggest_float(name, low, high, step=float(steps.step) if steps else None)
+            values[name] = _in_unit(one, _snapped(one, tried))
     return values
 
 

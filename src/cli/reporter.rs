@@ -113,7 +113,7 @@ impl Reporter {
             let mut line = json!({
                 "type": "print",
                 "source": printed.source,
-                "text": printed.value.to_string(),
+                "text": printed.value_text(),
                 "value": to_json(&printed.value),
             });
             name_test(&mut line, test);

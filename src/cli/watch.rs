@@ -24,7 +24,7 @@ use super::{
     standard_streams::is_closed,
 };
 use crate::{
-    disk::{FileChange, ScriptFiles, WatchedFiles},
+    disk::{Absence, FileChange, ScriptFiles, WatchedFiles},
     eval::Work,
     limits::work::StopToken,
     session::Report,
@@ -80,8 +80,12 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     while !INTERRUPTED.is_stopped() && !is_closed() {
         match change {
             FileChange::Nothing => {}
-            FileChange::Gone => {
-                let text = format!("{} is gone; it is waited for", asked.file.display());
+            FileChange::Gone(absence) => {
+                let what = match absence {
+                    Absence::Nothing => "is gone",
+                    Absence::Folder => "is a folder now",
+                };
+                let text = format!("{} {what}; the script is waited for", asked.file.display());
                 run.voice().remark(&text);
             }
             FileChange::Saved(what) => {
@@ -185,7 +189,7 @@ fn look(
         match watched.change() {
             FileChange::Nothing => {}
             // It goes on until another script is there.
-            FileChange::Gone => found = Some(FileChange::Gone),
+            FileChange::Gone(absence) => found = Some(FileChange::Gone(absence)),
             FileChange::Saved(what) => {
                 ending.end_for(&what);
                 found = Some(FileChange::Saved(what));

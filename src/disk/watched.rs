@@ -25,16 +25,23 @@ pub(crate) struct WatchedFiles {
     seen: Vec<(PathBuf, FileStamp)>,
     /// As they were at the last look: who still writes is waited for.
     last: Vec<FileStamp>,
-    /// Since when the script is gone, and whether that was told.
-    gone: Option<(Instant, bool)>,
+    /// Since when the script is gone, and what was told of it.
+    gone: Option<(Instant, Option<Absence>)>,
     is_first: bool,
+}
+
+/// What is in the place of a script that is gone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Absence {
+    Nothing,
+    Folder,
 }
 
 /// What became of the files.
 pub(crate) enum FileChange {
     Nothing,
     /// The script is gone.
-    Gone,
+    Gone(Absence),
     /// This file is another one.
     Saved(String),
 }
@@ -63,14 +70,15 @@ impl WatchedFiles {
         let is_still = now == self.last || self.is_first;
         self.last.clone_from(&now);
         if now[0].is_none() {
-            let (since, is_told) = *self.gone.get_or_insert((Instant::now(), false));
-            if is_told || since.elapsed() < MOST_GONE {
+            let (since, told) = *self.gone.get_or_insert((Instant::now(), None));
+            let absence = if self.seen[0].0.is_dir() { Absence::Folder } else { Absence::Nothing };
+            if told == Some(absence) || since.elapsed() < MOST_GONE {
                 return FileChange::Nothing;
             }
-            self.gone = Some((since, true));
+            self.gone = Some((since, Some(absence)));
             // When it comes back it is carried out, even if it is the same.
             self.seen[0].1 = None;
-            return FileChange::Gone;
+            return FileChange::Gone(absence);
         }
         self.gone = None;
         let mut apart = self.seen.iter().zip(&now).filter(|((_, seen), now)| seen != *now);

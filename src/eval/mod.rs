@@ -42,6 +42,7 @@ mod operator;
 mod outcome;
 mod param;
 mod param_dimension;
+mod param_text;
 mod parametric;
 mod partial;
 mod relative_files;

@@ -4,18 +4,16 @@ use std::sync::Arc;
 
 use super::{
     autodiff::no_derivative,
-    env::Env,
-    ir::{Definition, Expr, ExprKind, ParamKind, ParamRules},
-    lower,
+    ir::{Definition, ParamKind, ParamRules},
     machine::Machine,
     param_dimension::{check_choices, check_range, check_step},
+    param_text::read,
     settings::Setting,
 };
 use crate::{
     diag::{Code, Diagnostic, Fix, Result, Span, Spanned, nearest},
     kernel::tolerance::STEP_RELATIVE,
-    limits::Limits,
-    syntax::{self, ast::Unit},
+    syntax::ast::Unit,
     value::{Dimension, Number, Range, Real, Registry, Value},
 };
 
@@ -157,7 +155,7 @@ impl ParameterRules {
                 ParamKind::Number if !self.dim.is_bare() => self.dim.to_string(),
                 kind => format!("a {}", kind.word()),
             };
-            let message = format!("{subject} must be {wanted}, found {}", value.phrase());
+            let message = format!("{subject} must be {wanted}, found {}", self.phrase(&value));
             let diagnostic = Diagnostic::error(Code::BadParameterValue, span, message);
             Box::new(match self.kind {
                 ParamKind::Angle => diagnostic.hint("angles take a unit: `30deg`"),
@@ -231,13 +229,15 @@ impl ParameterRules {
             }
             (Value::List(choices), _) => {
                 if let Value::Number(number) = value {
-                    check_choices(*number, choices, place)?;
+                    check_choices(*number, choices, place, self.unit.name())?;
                 }
                 let is_allowed = |choice: &Value| crate::value::equal(choice, value) == Some(true);
                 if choices.iter().any(is_allowed) {
                     return Ok(());
                 }
-                let diagnostic = outside(format!("none of {allowed}"));
+                let told = choices.iter().map(|choice| self.shown(&like(choice, value)));
+                let told = told.collect::<Vec<_>>().join(", ");
+                let diagnostic = outside(format!("none of [{told}]"));
                 let quoted = match value {
                     Value::Text(text) => text.strip_prefix('"').and_then(|t| t.strip_suffix('"')),
                     _ => None,
@@ -258,7 +258,7 @@ impl ParameterRules {
             _ => {
                 let message = format!(
                     "after `in` stands a range of numbers or a list of choices, found {}",
-                    allowed.phrase()
+                    self.phrase(allowed)
                 );
                 Diagnostic::error(Code::BadParameterValue, place, message).fail()
             }
@@ -279,7 +279,7 @@ impl ParameterRules {
         if range.end.value < range.start.value {
             return self.backwards(range, place).fail();
         }
-        let in_dim = |end: Number| self.shown(&Value::Number(Number { dim: number.dim, ..end }));
+        let in_dim = |end: Number| self.shown(&like(&Value::Number(end), &Value::Number(number)));
         let (start, end) = (in_dim(range.start), in_dim(range.end));
         let is_below = if range.closed {
             number.value <= range.end.value
@@ -310,14 +310,30 @@ impl ParameterRules {
             .fix(Fix::replace(place, format!("{end}{dots}{start}")))
     }
 
-    /// A value as a script would write it, lengths with the document's unit.
+    /// A value as a script would write it, with the document's unit of length.
     fn shown(&self, value: &Value) -> String {
+        value.in_unit(self.unit.name()).to_string()
+    }
+
+    /// What a value is, in words.
+    fn phrase(&self, value: &Value) -> String {
         match value {
-            Value::Number(number) if number.dim == Dimension::LENGTH => {
-                format!("{number}{}", self.unit.name())
+            Value::Number(number) if !number.dim.is_bare() => {
+                format!("{} ({})", number.dim, self.shown(value))
             }
-            other => other.to_string(),
+            Value::Range(_) => format!("the range {}", self.shown(value)),
+            other => other.phrase(),
         }
+    }
+}
+
+/// What a parameter allows, as what its value is: a number without a unit counts in that of the value.
+fn like(allowed: &Value, value: &Value) -> Value {
+    match (allowed, value) {
+        (Value::Number(allowed), Value::Number(value)) if allowed.dim.is_bare() => {
+            Value::Number(Number { dim: value.dim, ..*allowed })
+        }
+        _ => allowed.clone(),
     }
 }
 
@@ -334,67 +350,4 @@ fn nearest_choice<'c>(value: &Value, choices: &'c [Value]) -> Option<&'c str> {
 fn is_on_step(number: Number, range: Range, step: Number) -> bool {
     let steps = (number.value - range.start.value) / step.value;
     (steps - steps.round()).abs() <= STEP_RELATIVE * steps.abs().max(1.0)
-}
-
-/// The value of a setting: a string as it is, anything else as an expression without names.
-fn read(
-    env: Env<'_>,
-    kind: ParamKind,
-    setting: &Setting,
-    span: Span,
-    registry: &Registry,
-) -> Result<Value> {
-    if kind == ParamKind::Text {
-        return Ok(Value::text(&setting.text));
-    }
-    let source = format!("let value = {}", setting.text);
-    literal(env, &source, registry).ok_or_else(|| {
-        let message = format!(
-            "{setting} is \"{}\", which is not a value that a script could write",
-            setting.text
-        );
-        Box::new(
-            Diagnostic::error(Code::BadParameterValue, span, message)
-                .hint(advice(kind, &setting.text)),
-        )
-    })
-}
-
-/// What to write for a parameter of a kind in the place of a text that says nothing.
-fn advice(kind: ParamKind, text: &str) -> String {
-    let with_point = text.replacen(',', ".", 1);
-    let is_decimal = with_point.trim_end_matches(char::is_alphabetic).parse::<f64>().is_ok();
-    if text.contains(',') && is_decimal {
-        return format!("the decimal sign is a point: `{with_point}`");
-    }
-    match kind {
-        ParamKind::Bool => "it is `true` or `false`".to_owned(),
-        ParamKind::Integer => "it is a whole number, such as `7`".to_owned(),
-        ParamKind::Number => "it is a number, such as `7` or `0.5`".to_owned(),
-        ParamKind::Length => "it is a length, such as `15mm`".to_owned(),
-        ParamKind::Angle => "it is an angle, such as `30deg`".to_owned(),
-        ParamKind::Text => "it is a text, as it stands".to_owned(),
-    }
-}
-
-fn literal(env: Env<'_>, source: &str, registry: &Registry) -> Option<Value> {
-    let limits: &Limits = env.limits;
-    let (tree, diagnostics) = syntax::parse(source, limits);
-    if !diagnostics.is_empty() || tree.statements.len() != 1 {
-        return None;
-    }
-    let lowered = lower::lower(&tree, lower::Origin::default(), registry, env.unit);
-    let definition = lowered.program.definitions.first()?;
-    let value: &Expr = &definition.value;
-    let is_poison = matches!(value.kind, ExprKind::Poison);
-    if !lowered.diagnostics.is_empty()
-        || !definition.dependencies.is_empty()
-        || is_poison
-        || !lowered.scripts.is_empty()
-    {
-        return None;
-    }
-    // Its places are not those of the script.
-    let env = Env { sources: None, ..env };
-    Machine::new(env, Arc::default()).run(value, definition.n_slots).ok()
 }

@@ -29,13 +29,21 @@ pub(super) fn check_step(number: Number, step: Number, place: Span) -> Result<()
     mismatch("the step", [step.dim, number.dim], place)
 }
 
+/// Messages tell lengths in `unit`.
+///
 /// # Errors
 /// A choice of another dimension than the parameter: it could never be made.
-pub(super) fn check_choices(number: Number, choices: &[Value], place: Span) -> Result<()> {
+pub(super) fn check_choices(
+    number: Number,
+    choices: &[Value],
+    place: Span,
+    unit: &'static str,
+) -> Result<()> {
     for choice in choices {
-        let Value::Number(choice) = choice else { continue };
-        if number.beside(*choice).is_none() {
-            return mismatch(&format!("the choice {choice}"), [choice.dim, number.dim], place);
+        let Value::Number(its) = choice else { continue };
+        if number.beside(*its).is_none() {
+            let what = format!("the choice {}", choice.in_unit(unit));
+            return mismatch(&what, [its.dim, number.dim], place);
         }
     }
     Ok(())

@@ -7,7 +7,7 @@ use crate::{
     docs, eval,
     kernel::sorting::sort_by,
     session::Session,
-    syntax::{self, CompletionPlace, Highlight, KEYWORDS},
+    syntax::{self, CompletionPlace, Highlight, KEYWORDS, ast::Kind},
     value::{Op, Registry, Value},
 };
 
@@ -38,6 +38,14 @@ pub enum CompletionKind {
     Constant,
     /// A word of the language.
     Keyword,
+}
+
+impl CompletionKind {
+    /// Whether it is a name that stands for a value.
+    fn is_name(self) -> bool {
+        use CompletionKind::{BuiltIn, Constant, Definition, Function, Import, Local};
+        matches!(self, Local | Definition | Function | Import | BuiltIn | Constant)
+    }
 }
 
 /// Something that could stand at a place.
@@ -196,12 +204,14 @@ impl CompletionSpot<'_> {
         let wanted = self.wanted(call.as_ref(), range.start);
         found.extend(self.words_wanted(call.as_ref(), &wanted, range));
         self.locals(range, &mut found);
-        found.extend(
-            self.document.outline.of_file().map(|name| self.definition(name, range, &wanted)),
-        );
+        let of_file = self.document.outline.of_file().filter(|name| !self.is_being_defined(name));
+        found.extend(of_file.map(|name| self.definition(name, range, &wanted)));
         for name in self.registry.names() {
             found.push(self.built_in(name, range, &wanted));
         }
+        // A name means one thing: what is defined around the place hides what is further away.
+        let mut meant = BTreeSet::new();
+        found.retain(|one| !one.kind.is_name() || meant.insert(one.label.clone()));
         let begins_line = self.line_before().trim_start().len() <= self.at - range.start;
         found.extend(KEYWORDS.iter().map(|word| {
             let snippet = begins_line.then(|| statement_snippet(word)).flatten();
@@ -220,9 +230,13 @@ impl CompletionSpot<'_> {
         let known = outline.names.iter().filter(|name| {
             !name.is_of_file && name.scope.start <= self.at && self.at <= name.scope.end
         });
-        let mut seen: BTreeSet<&str> = BTreeSet::new();
+        // What the whole file knows is offered as that.
+        let mut seen: BTreeSet<&str> = outline.of_file().map(|name| &*name.name).collect();
         for name in known {
             seen.insert(&name.name);
+            if self.is_being_defined(name) {
+                continue;
+            }
             let anything = WantedTypes::default();
             let local = self.definition(name, range, &anything);
             found.push(Completion { kind: CompletionKind::Local, ..local });
@@ -234,17 +248,39 @@ impl CompletionSpot<'_> {
             .map(|act| act.whole.end)
             .chain(outline.of_file().map(|name| name.whole.end));
         let start = start.filter(|&end| end < range.start).max().unwrap_or(0);
-        let words = self.document.pieces.iter().filter(|(paint, place)| {
-            *paint == Highlight::Name && start <= place.start && place.end < range.start
-        });
-        for (_, place) in words {
+        let mut is_first = true;
+        let mut is_being_defined = false;
+        let pieces = self.document.pieces.iter();
+        let under_way = pieces.filter(|(_, place)| start <= place.start && place.end < range.start);
+        for (paint, place) in under_way {
             let word = self.document.text.get(place.clone()).unwrap_or_default();
+            if *paint == Highlight::Keyword
+                && (word == "param" || Kind::ALL.iter().any(|(kind, _)| *kind == word))
+            {
+                // That of the statement, or of a line in it; of a block the lines before are known.
+                let is_on_line = !self.document.text[place.end..range.start].contains('\n');
+                is_being_defined = is_first || is_on_line;
+                is_first = false;
+            }
+            is_being_defined &= word != "=";
             let is_known =
                 self.registry.get(word).is_some() || self.registry.constant(word).is_some();
-            if !is_known && seen.insert(word) {
+            if *paint != Highlight::Name || is_known {
+                continue;
+            }
+            if is_being_defined {
+                seen.insert(word);
+            } else if seen.insert(word) {
                 found.push(Completion::new(word, CompletionKind::Local, range));
             }
         }
+    }
+
+    /// Whether the place is in the definition of a name that may not use itself, as only functions may.
+    fn is_being_defined(&self, name: &DefinedName) -> bool {
+        matches!(name.role, NameRole::Definition(_) | NameRole::Param)
+            && name.place.end < self.at
+            && self.at <= name.whole.end
     }
 
     pub(super) fn definition(

@@ -86,14 +86,15 @@ fn number(number: &Number, unit: &str) -> String {
 }
 
 /// The value itself where it is small and can be written on a line.
-fn brief(value: &Value, unit: &str) -> Option<String> {
+fn brief(value: &Value, unit: &'static str) -> Option<String> {
     let text = match value {
         Value::Number(one) => number(one, unit),
         Value::Point(point) => {
             let [x, y, z] = [point.x, point.y, point.z].map(rounded);
             format!("({x}, {y}, {z})")
         }
-        Value::None | Value::Bool(_) | Value::Range(_) => value.to_string(),
+        Value::None | Value::Bool(_) => value.to_string(),
+        Value::Range(_) => value.in_unit(unit).to_string(),
         Value::Text(text) if text.len() <= MOST_CHARS => value.to_string(),
         Value::List(items) if items.len() <= MOST_ELEMENTS => {
             let items: Option<Vec<String>> = items.iter().map(|item| brief(item, unit)).collect();

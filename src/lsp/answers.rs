@@ -6,8 +6,8 @@ use serde_json::Value as Json;
 
 use super::server::{RequestError, RequestResult, Server};
 
-/// Whether a request waits until the text as it stands is evaluated: what it shows would be of another
-/// text otherwise.
+/// Whether a request waits for the values of the text as it stands: what it shows would be of another
+/// text otherwise, or lack them.
 pub(super) fn needs_values(method: &str) -> bool {
     matches!(method, "textDocument/inlayHint" | "textDocument/codeLens" | "textDocument/codeAction")
 }

@@ -10,7 +10,7 @@ use serde_json::{Value as Json, json};
 use super::{
     documents::OpenDocument,
     paths,
-    server::{RequestError, Server},
+    server::{RequestError, Server, WaitingRequest},
 };
 use crate::diag::Code;
 
@@ -129,8 +129,8 @@ impl Server<'_> {
         else {
             return;
         };
-        if let Some(idx) = self.waiting.iter().position(|(request, _)| request.id == id) {
-            let (request, _) = self.waiting.remove(idx);
+        if let Some(idx) = self.waiting.iter().position(|waiting| waiting.request.id == id) {
+            let WaitingRequest { request, .. } = self.waiting.remove(idx);
             let refusal = RequestError(ErrorCode::RequestCanceled, "cancelled".to_owned());
             self.reply(request.id, Err(refusal));
         }
@@ -147,9 +147,9 @@ impl Server<'_> {
     /// What waits for values of a text that is another one now.
     fn refuse_waiting(&mut self, uri: &str) {
         let (gone, left): (Vec<_>, Vec<_>) =
-            std::mem::take(&mut self.waiting).into_iter().partition(|(_, waits)| waits == uri);
+            std::mem::take(&mut self.waiting).into_iter().partition(|waiting| waiting.uri == uri);
         self.waiting = left;
-        for (request, _) in gone {
+        for WaitingRequest { request, .. } in gone {
             let refusal = RequestError(ErrorCode::ContentModified, "the text changed".to_owned());
             self.reply(request.id, Err(refusal));
         }

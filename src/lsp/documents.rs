@@ -38,6 +38,8 @@ pub(super) struct OpenDocument {
     pub(super) values: Option<(u64, Values)>,
     /// Whether what is wrong with this text was told, without its values.
     pub(super) is_told_early: bool,
+    /// Whether requests were answered without its values, so that they are to be asked anew when these are there.
+    pub(super) lacked_values: bool,
     /// Where findings of its last run were told.
     pub(super) told: BTreeSet<String>,
 }
@@ -55,6 +57,7 @@ impl OpenDocument {
             document: OnceCell::new(),
             values: None,
             is_told_early: false,
+            lacked_values: false,
             told: BTreeSet::new(),
         }
     }

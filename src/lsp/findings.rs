@@ -145,20 +145,27 @@ impl Server<'_> {
         {
             return Some(Vec::new());
         }
-        let report = open.values()?.report();
+        let early;
+        let (sources, diagnostics) = match open.values() {
+            Some(values) => (&values.report().sources, &values.report().diagnostics),
+            // While the run takes long, what is wrong with the text alone.
+            None => {
+                let text = open.text.as_bytes();
+                early = self.session.name_uses(open.name(), text, &self.files(open));
+                (&early.1, &early.0.diagnostics)
+            }
+        };
         let places = open.places(self.client.unit);
         let at = places.bytes(&params.range);
-        let addressed = Addressed::of(open, &report.sources, self.client.unit);
+        let addressed = Addressed::of(open, sources, self.client.unit);
         let mut actions = Vec::new();
-        for diagnostic in &report.diagnostics {
-            let finding = Finding::of(&report.sources, diagnostic);
+        for diagnostic in diagnostics {
+            let finding = Finding::of(sources, diagnostic);
             let SourceRange { source, range } = &finding.place;
             if *source != 0 || at.end < range.start || range.end < at.start {
                 continue;
             }
-            for (idx, (title, edits)) in
-                ide::fixes(&report.sources, diagnostic).into_iter().enumerate()
-            {
+            for (idx, (title, edits)) in ide::fixes(sources, diagnostic).into_iter().enumerate() {
                 let edits: Vec<TextEdit> = places.edits(&edits);
                 #[expect(clippy::mutable_key_type, reason = "the type of the protocol's crate")]
                 let changes =

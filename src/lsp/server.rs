@@ -1,6 +1,6 @@
 //! What the server knows, and how it speaks to the client.
 
-use std::{collections::BTreeMap, path::PathBuf, sync::Arc};
+use std::{collections::BTreeMap, path::PathBuf, sync::Arc, time::Instant};
 
 use lsp_server::{Connection, ErrorCode, Notification, Request, RequestId, Response};
 use serde::Serialize;
@@ -19,6 +19,15 @@ pub(super) struct RequestError(pub(super) ErrorCode, pub(super) String);
 /// The answer to a request.
 pub(super) type RequestResult = Result<Json, RequestError>;
 
+/// A request that waits for the values of a document.
+pub(super) struct WaitingRequest {
+    pub(super) request: Request,
+    /// The address of the document.
+    pub(super) uri: String,
+    /// When it is answered without them.
+    pub(super) deadline: Instant,
+}
+
 /// What the server knows.
 pub(super) struct Server<'a> {
     pub(super) connection: &'a Connection,
@@ -32,8 +41,8 @@ pub(super) struct Server<'a> {
     pub(super) documents: BTreeMap<String, OpenDocument>,
     /// Documents that are to be evaluated as soon as no message waits.
     pub(super) dirty: Vec<String>,
-    /// Requests that wait for the values of a document, with its address.
-    pub(super) waiting: Vec<(Request, String)>,
+    /// Requests that wait for the values of a document.
+    pub(super) waiting: Vec<WaitingRequest>,
     /// Viewers that were started.
     pub(super) viewers: Vec<StartedViewer>,
     /// At geometry, for hovers.

@@ -12,13 +12,16 @@ use serde_json::{Value as Json, json};
 use super::{
     answers,
     documents::OpenDocument,
-    server::{RequestError, Server},
+    server::{RequestError, Server, WaitingRequest},
     worker::{Evaluated, EvaluationRequest},
 };
 use crate::diag::{Span, fault};
 
 /// A run that is not over so long after an edit leaves time to tell what is wrong with the text alone.
 const EARLY: Duration = Duration::from_millis(200);
+/// How long a request waits for values that nobody asks for again: a client that can be told to ask anew waits
+/// for less.
+const PATIENCE: Duration = Duration::from_secs(2);
 
 impl Server<'_> {
     /// Serves until the client says goodbye or is gone.
@@ -52,12 +55,12 @@ impl Server<'_> {
     fn next_early(&self) -> Duration {
         let unknown =
             self.documents.values().filter(|open| open.values().is_none() && !open.is_told_early);
-        let left =
-            unknown.map(|open| (open.since + EARLY).saturating_duration_since(Instant::now()));
-        left.min().unwrap_or(Duration::from_secs(3600))
+        let early = unknown.map(|open| open.since + EARLY);
+        let due = early.chain(self.waiting.iter().map(|waiting| waiting.deadline)).min();
+        due.map_or(Duration::from_secs(3600), |due| due.saturating_duration_since(Instant::now()))
     }
 
-    /// Tells what is wrong with the texts whose runs take long.
+    /// Tells what is wrong with the texts whose runs take long, and what else is known of them to who waits.
     fn tell_early(&mut self) {
         let is_due = |open: &&OpenDocument| {
             open.values().is_none() && !open.is_told_early && EARLY <= open.since.elapsed()
@@ -66,6 +69,21 @@ impl Server<'_> {
             self.documents.values().filter(is_due).map(|open| open.uri.clone()).collect();
         for uri in due {
             self.publish_early(&uri);
+        }
+        let now = Instant::now();
+        self.answer_waiting(|waiting| waiting.deadline <= now);
+    }
+
+    /// Answers those of the requests that wait for values.
+    fn answer_waiting(&mut self, is_due: impl Fn(&WaitingRequest) -> bool) {
+        let waiting = std::mem::take(&mut self.waiting);
+        let (due, left): (Vec<_>, Vec<_>) = waiting.into_iter().partition(is_due);
+        self.waiting = left;
+        for WaitingRequest { request, uri, .. } in due {
+            if let Some(open) = self.documents.get_mut(&uri) {
+                open.lacked_values |= open.values().is_none();
+            }
+            self.answer(request);
         }
     }
 
@@ -99,8 +117,14 @@ impl Server<'_> {
         let is_waiting = answers::needs_values(&request.method)
             && open.is_some_and(|open| open.values().is_none());
         if let (true, Some(uri)) = (is_waiting, uri) {
+            let can_ask_anew = match &*request.method {
+                "textDocument/inlayHint" => self.client.refreshes_hints,
+                "textDocument/codeLens" => self.client.refreshes_lenses,
+                _ => false,
+            };
+            let deadline = Instant::now() + if can_ask_anew { EARLY } else { PATIENCE };
             let uri = uri.to_owned();
-            self.waiting.push((request, uri));
+            self.waiting.push(WaitingRequest { request, uri, deadline });
             return;
         }
         self.answer(request);
@@ -169,11 +193,11 @@ impl Server<'_> {
             return;
         };
         open.take(done.serial, done.report);
+        let is_late = std::mem::take(&mut open.lacked_values);
         self.publish(&done.uri);
-        let waiting = std::mem::take(&mut self.waiting);
-        let (ready, left): (Vec<_>, Vec<_>) =
-            waiting.into_iter().partition(|(_, waits)| *waits == done.uri);
-        self.waiting = left;
-        ready.into_iter().for_each(|(request, _)| self.answer(request));
+        self.answer_waiting(|waiting| waiting.uri == done.uri);
+        if is_late {
+            self.refresh();
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! A script that is evaluated again and again, with what its last good run drew.
 
-use std::{path::Path, sync::Arc};
+use std::{collections::BTreeSet, path::Path, sync::Arc};
 
 use super::{
     Shown,
@@ -22,6 +22,8 @@ pub(crate) struct Model {
     memory: ItemMemory,
     /// Of the last run whose script could be read.
     schema: Option<Schema>,
+    /// Names of parameters that the script had at some time.
+    had: BTreeSet<String>,
     /// The last run.
     pub(crate) last: Option<Arc<Report>>,
     /// The last good run.
@@ -59,7 +61,14 @@ impl Model {
     /// browser may still know.
     pub(crate) fn new(session: Session, process: u64) -> Self {
         let memory = ItemMemory::new(process);
-        Self { session: session.incremental(), memory, schema: None, last: None, good: None }
+        Self {
+            session: session.incremental(),
+            memory,
+            schema: None,
+            had: BTreeSet::new(),
+            last: None,
+            good: None,
+        }
     }
 
     /// What is shown before the first run.
@@ -71,6 +80,7 @@ impl Model {
             scene: Arc::default(),
             report: None,
             parameters: Vec::new(),
+            lost: Vec::new(),
             inputs: Vec::new(),
         }
     }
@@ -111,7 +121,11 @@ impl Model {
             self.good = Some((Arc::clone(&report), scene));
             self.memory.settle();
         }
-        let mut troubles = report.unknown_settings.clone();
+        let lost = if has_errors { Vec::new() } else { self.lost(place.settings) };
+        let mut troubles = match lost[..] {
+            [] => report.unknown_settings.clone(),
+            _ => lost.iter().map(told_lost).collect(),
+        };
         if was_stopped {
             troubles.push("the drawing was stopped".to_owned());
         }
@@ -121,7 +135,20 @@ impl Model {
             troubles: &troubles,
             milliseconds: [evaluated - begin, (run.clock)() - evaluated],
         };
-        Some(self.shown(place, told))
+        let lost = lost.into_iter().map(|setting| setting.name.clone()).collect();
+        Some(Shown { lost, ..self.shown(place, told) })
+    }
+
+    /// Settings of parameters that the script had and, without errors, has no more.
+    fn lost<'s>(&mut self, settings: &'s [Setting]) -> Vec<&'s Setting> {
+        let parameters = self.schema.iter().flat_map(|schema| &schema.parameters);
+        let has: BTreeSet<&str> = parameters.map(|parameter| parameter.name.as_str()).collect();
+        let is_lost = |setting: &&Setting| {
+            !has.contains(setting.name.as_str()) && self.had.contains(&setting.name)
+        };
+        let lost = settings.iter().filter(is_lost).collect();
+        self.had.extend(has.into_iter().map(str::to_owned));
+        lost
     }
 
     /// What is shown of a script that is not there.
@@ -156,7 +183,14 @@ impl Model {
             scene: good.map(|(_, scene)| Arc::clone(scene)).unwrap_or_default(),
             report: good.map(|(report, _)| Arc::clone(report)),
             parameters: self.schema.as_ref().map(names).unwrap_or_default(),
+            lost: Vec::new(),
             inputs: Vec::new(),
         }
     }
+}
+
+/// That a setting is forgotten.
+fn told_lost(setting: &&Setting) -> String {
+    let Setting { name, text, .. } = setting;
+    format!("the script has no parameter `{name}` any more: its value, {text}, is forgotten")
 }

@@ -8,7 +8,7 @@ use crate::eval::Setting;
 /// Settings as a page wants them changed: all gone (`reset`), or the values of some.
 ///
 /// # Errors
-/// A sentence where there is no such parameter, or a value is no text.
+/// A sentence where there is no such parameter to be set, or a value is no text.
 pub(crate) fn changed(
     body: &Json,
     shown: &Shown,
@@ -38,11 +38,12 @@ pub(crate) fn values_of(
         return Err("`values` must be an object".to_owned());
     };
     let value = |(name, value): (&String, &Json)| {
-        if !shown.parameters.contains(name) {
-            return Err(format!("the script has no parameter `{name}`"));
-        }
         match value {
+            // Whatever is there no more is set no more.
             Json::Null => Ok((name.clone(), None)),
+            _ if !shown.parameters.contains(name) => {
+                Err(format!("the script has no parameter `{name}`"))
+            }
             Json::String(text) => Ok((name.clone(), Some(text.clone()))),
             _ => Err(format!("the value of `{name}` must be a text or null")),
         }

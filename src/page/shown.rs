@@ -17,6 +17,8 @@ pub(crate) struct Shown {
     pub(crate) report: Option<Arc<Report>>,
     /// The names of the parameters.
     pub(crate) parameters: Vec<String>,
+    /// Parameters that are set and that the script has no more: what sets them is to be forgotten.
+    pub(crate) lost: Vec<String>,
     /// Files that were read for it, of a script on a disk.
     #[cfg_attr(not(feature = "cli"), expect(dead_code, reason = "a page has no disk"))]
     pub(crate) inputs: Vec<PathBuf>,

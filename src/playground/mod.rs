@@ -168,6 +168,7 @@ impl Playground {
             clock: &self.clock,
         };
         let shown = self.model.run(place, run).ok_or("it was stopped")?;
+        self.settings.retain(|setting| !shown.lost.contains(&setting.name));
         let shown = Arc::new(shown);
         self.known.before = std::mem::replace(&mut self.known.shown, shown);
         state(&self.known.shown)

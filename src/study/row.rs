@@ -4,15 +4,14 @@ use serde_json::{Map, Value as Json, json};
 
 use super::{
     plan::{PRIME, Variant},
-    vary::number_and_unit,
+    vary::number_and_power,
 };
 use crate::{
     diag::{Diagnostic, Severity, nearest},
     eval::{Checked, Schema, SchemaParameter},
-    kernel::{Column, NamedColumn},
     session::{Event, Report},
     syntax::ast::Unit,
-    value::{Number, Value, in_document_unit},
+    value::{Number, Value, in_unit_of},
 };
 
 /// Cells by the titles of their columns, in the order of the columns.
@@ -120,44 +119,40 @@ impl RowMaker {
             (Value::None, Some(given)) => self.refused(&given.text, parameter),
             _ => cell,
         };
-        let unit = match parameter.kind {
-            "length" => Some(self.unit.name().to_owned()),
-            "angle" => Some(DEGREES.to_owned()),
-            _ => unit,
-        };
+        let unit = self.unit_of(parameter).or(unit);
         // Whatever happens to be whole, a column is of the kind of its parameter.
         let whole = cell.as_f64().map(Number::bare).and_then(Number::as_integer);
         let cell = whole.filter(|_| parameter.kind == "integer").map_or(cell, Json::from);
         (titled(name, unit.as_deref()), cell)
     }
 
-    /// A value that the parameter refused, in the unit of its column.
+    /// The unit of the column of a parameter that measures something for certain, whatever a variant gives it.
+    fn unit_of(&self, parameter: &SchemaParameter) -> Option<String> {
+        let dim = parameter.dimension()?;
+        if dim.is_angle() { Some(DEGREES.to_owned()) } else { dim.unit(self.unit.name()) }
+    }
+
+    /// A value that the parameter refused, in the unit of its column; none where it measures something else.
     fn refused(&self, text: &str, parameter: &SchemaParameter) -> Json {
-        let (number, unit) = number_and_unit(text);
-        let wanted = match parameter.kind {
-            "length" => Some(self.unit.name()),
-            "angle" => Some(DEGREES),
-            _ => None,
-        };
-        let number = match (number, unit, wanted) {
+        let (number, unit) = number_and_power(text);
+        let number = match (number, unit, parameter.dimension()) {
             (Some(number), "", _) => Some(number),
-            (Some(number), unit, Some(wanted)) if unit == wanted => Some(number),
-            (Some(number), unit, Some(_)) => self.converted(number, unit, parameter.kind),
+            (Some(number), unit, _) if self.unit_of(parameter).as_deref() == Some(unit) => {
+                Some(number)
+            }
+            (Some(number), unit, Some(dim)) => {
+                let own = in_unit_of(number, unit, self.unit.name());
+                own.filter(|own| own.dim == dim).map(|own| match dim.is_angle() {
+                    true => in_degrees(own),
+                    false => own.value,
+                })
+            }
             _ => None,
         };
         match parameter.kind {
             "string" | "bool" => json!(text),
             _ => json!(number),
         }
-    }
-
-    /// A number of a unit in the document's unit or in degrees.
-    fn converted(&self, number: f64, unit: &str, kind: &str) -> Option<f64> {
-        let column = NamedColumn::numbers("", vec![number]).with_unit(unit);
-        let column = in_document_unit(column, self.unit.name()).ok()?;
-        let Column::Numbers(numbers) = &column.column else { return None };
-        let number = *numbers.first()?;
-        Some(if kind == "angle" { in_degrees(Number::angle(number)) } else { number })
     }
 
     /// The named numbers, texts and truth values.

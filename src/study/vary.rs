@@ -86,6 +86,13 @@ pub(super) fn number_and_unit(text: &str) -> (Option<f64>, &str) {
     (number.filter(|number| number.is_finite()), text[end..].trim())
 }
 
+/// The same of units with a power: `5mm^2` as 5 and `mm^2`.
+pub(super) fn number_and_power(text: &str) -> (Option<f64>, &str) {
+    let base = text.split_once('^').map_or(text, |(base, _)| base);
+    let (number, unit) = number_and_unit(base);
+    (number, text[base.len() - unit.len()..].trim())
+}
+
 #[cfg(test)]
 mod tests {
     use super::VariedParameter;

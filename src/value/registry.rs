@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{Call, Op, OpParameter, Type, Value};
+use super::{Call, Op, Value};
 
 /// Operations by name. The evaluator, the help, the completion and the reference read this and
 /// nothing else. One name may have several operations, told apart by their first argument.
@@ -93,24 +93,13 @@ pub fn choose(
     call: &Call,
 ) -> Result<&'static Op, String> {
     let has_places = |op: &&&'static Op| {
-        let is_known = |label: &str| op.params.iter().any(|param| param.name == label);
-        let by_position = |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
-        call.positional.len() <= op.params.iter().filter(by_position).count()
-            && call.named.iter().all(|(label, _)| is_known(&label.value))
-    };
-    let takes = |op: &&&'static Op, value: &Value| {
-        op.params.first().is_some_and(|param| {
-            let element = match param.ty {
-                Type::List(of, _) if param.spreads => of.accepts(value),
-                _ => false,
-            };
-            element || param.ty.accepts(value)
-        })
+        let labels = call.named.iter().map(|(label, _)| &*label.value);
+        op.has_places(call.positional.len(), labels)
     };
     match (ops, first) {
         ([only], _) | ([only, ..], None) => Ok(only),
         (_, Some(value)) => {
-            let mut taking = ops.iter().filter(|op| takes(op, value));
+            let mut taking = ops.iter().filter(|op| op.takes_first(value));
             let first = taking.clone().next();
             // Of a list without its brackets the operation itself tells.
             let loose = |op: &&&'static Op| {

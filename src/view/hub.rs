@@ -124,6 +124,7 @@ impl Hub {
         state.running = None;
         match shown {
             Some(shown) => {
+                state.settings.retain(|setting| !shown.lost.contains(&setting.name));
                 let shown = Arc::new(shown);
                 state.before = std::mem::replace(&mut state.shown, shown);
             }

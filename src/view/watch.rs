@@ -35,7 +35,7 @@ pub(super) fn watch(
         }
         match watched.change() {
             FileChange::Nothing => {}
-            FileChange::Saved(_) | FileChange::Gone => hub.files_changed(),
+            FileChange::Saved(_) | FileChange::Gone(_) => hub.files_changed(),
         }
         hub.hurry();
         thread::sleep(TICKS[usize::from(!hub.has_listeners())]);

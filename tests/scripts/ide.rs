@@ -86,6 +86,34 @@ fn a_hover_reaches_into_imported_files() {
 }
 
 #[test]
+fn completion_offers_each_name_once_and_not_the_one_that_is_defined() {
+    let count = |marked: &str, label: &str| {
+        scene(marked).completions().iter().filter(|one| one.label == label).count()
+    };
+    for marked in [
+        "let width = 3\nlet b = width + w‸",
+        "let width = 3\nlet b = width + (w‸",
+        "let width = 3\nparam b = width in width..w‸",
+        "let width = 3\nlet b =\n    [width, w‸",
+        "let width = 3\ncurve b = line((0, 0), (width, 0)) with (color = w‸)",
+        "let width = 3\nlet b = { let width = 4\n width + w‸ }",
+        "fn width(x) = 3\nlet c = { let b = width(2) + w‸ }",
+    ] {
+        assert_eq!(count(marked, "width"), 1, "{marked}");
+        assert_eq!(count(marked, "b"), 0, "{marked}");
+    }
+    let width = scene("let width = 3\nlet b = width + w‸").completion("width");
+    assert_eq!(width.detail, "3");
+    // What is before, a function inside of itself, and names of functions and comprehensions are known.
+    assert_eq!(count("fn twice(n) = twi‸", "twice"), 1);
+    assert_eq!(count("let f = n => n + n‸", "n"), 1);
+    assert_eq!(count("let f = [for row in [1, 2]: (row + r‸", "row"), 1);
+    assert_eq!(count("let c = {\n let own = 3\n own + o‸", "own"), 1);
+    assert_eq!(count("let c = {\n let own = 3\n own + o‸", "c"), 0);
+    assert_eq!(count("let circle = 3\nprint cir‸", "circle"), 1);
+}
+
+#[test]
 fn completion_knows_the_place() {
     let names = scene("/// Its width.\nlet width = 2mm\nlet b = wi‸");
     let width = names.completion("width");

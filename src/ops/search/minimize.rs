@@ -1,6 +1,9 @@
 //! `minimize`: where a function is least.
 
-use super::best::{BestSearch, Better};
+use super::{
+    Within,
+    best::{BestSearch, Better},
+};
 use crate::{
     diag::{Result, Spanned},
     value::{Callback, Ctx, Value, op},
@@ -29,7 +32,7 @@ op! {
         f: Spanned<Callback>,
         /// The range of one number, or a list or record of ranges for several; one range serves all of them.
         /// Unknowns of a record that it does not name are free, and so is what is left out of a point.
-        within: Option<Spanned<Value>>,
+        within: Option<Spanned<Within>>,
         /// Where the search begins; inside the bounds where there are any.
         start: Option<Spanned<Value>>,
         /// Conditions: a function of the unknowns that compares, `u => u.a + u.b <= 5 and u.a == 2*u.b`, or a
@@ -55,5 +58,6 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let Args { f, within, start, subject, report } = args;
+    let within = within.map(|within| within.map(|within| within.0));
     BestSearch { f, within, start, subject, is_report: report }.run(ctx, Better::Lower)
 }

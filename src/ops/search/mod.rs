@@ -16,12 +16,46 @@ use crate::{
     kernel::{Interval, tolerance::PARAMETER_RELATIVE},
     value::{
         At, BARE_AND_ANGLE, CARRIES_DERIVATIVES, Callback, CommonDimension, Ctx, Dimension,
-        IntoValue, Number, Op, Range, Value, rounded,
+        FromValue, IntoValue, Mismatch, Number, Op, Range, Type, Value, rounded,
     },
 };
 
 pub(super) static OPS: &[&Op] =
     &[&gradient::OP, &integrate::OP, &maximize::OP, &minimize::OP, &ode::OP, &solve::OP];
+
+/// What an argument may be is for its search to tell; here it only says what it is for.
+macro_rules! said {
+    ($(#[$docs:meta])* $name:ident: $ty:expr) => {
+        $(#[$docs])*
+        struct $name(Value);
+
+        impl FromValue for $name {
+            const TYPE: Type = $ty;
+
+            fn from_value(value: &Value, _: Span) -> std::result::Result<Self, Mismatch> {
+                Ok(Self(value.clone()))
+            }
+        }
+    };
+}
+
+said! {
+    /// What bounds unknowns.
+    Within: Type::OneOf(&[Type::Range, Type::List(&Type::Range, 1), Type::Record])
+}
+
+said! {
+    /// What an integral is over.
+    Over: Type::OneOf(&[
+        Type::Range,
+        Type::List(&Type::Range, 2),
+        Type::Curve,
+        Type::Region,
+        Type::Face,
+        Type::Surface,
+        Type::List(&Type::OneOf(&[Type::Curve, Type::Region, Type::Face, Type::Surface]), 1),
+    ])
+}
 
 /// An interval with the dimension of what runs through it.
 struct SearchRange {

@@ -178,6 +178,55 @@ fn a_script_that_goes_and_comes_back_is_waited_for() {
 }
 
 #[test]
+fn values_of_parameters_that_are_gone_are_forgotten() {
+    let view = View::of("lost", SCRIPT);
+    let first = view.current();
+    assert_eq!(view.post("/api/set", &json!({ "values": { "r": "12mm" } })).status, 200);
+    let set = view.after(&first);
+    assert_eq!(set["parameters"][0]["value"], json!("12mm"));
+    view.save(
+        &SCRIPT.replace("param r", "param q").replace("r)", "q)").replace("print r", "print q"),
+    );
+    let renamed = view.after(&set);
+    assert_eq!(renamed["isCurrent"], json!(true));
+    let found = renamed["diagnostics"].as_array().expect("a list");
+    assert_eq!(
+        [&found[0]["severity"], &found[0]["message"]],
+        [
+            &json!("warning"),
+            &json!("the script has no parameter `r` any more: its value, 12mm, is forgotten")
+        ]
+    );
+    // It is said once, and what is set after it holds.
+    let body = json!({ "values": { "r": null, "q": "13mm" } });
+    assert_eq!(view.post("/api/set", &body).status, 200);
+    let last = view.after(&renamed);
+    assert_eq!(
+        [&last["diagnostics"], &last["parameters"][0]["value"]],
+        [&json!([]), &json!("13mm")]
+    );
+    assert_eq!(view.post("/api/set", &json!({ "values": { "r": "1mm" } })).status, 400);
+}
+
+#[test]
+fn a_folder_in_the_place_of_the_script_is_told_as_one() {
+    let view = View::of("folder", SCRIPT);
+    let path = view.scratch.0.join("model.geo");
+    view.current();
+    fs::remove_file(&path).expect("it goes");
+    let says = |state: &serde_json::Value, text: &str| {
+        state["diagnostics"][0]["message"].as_str().is_some_and(|told| told.contains(text))
+    };
+    view.until("gone", |state| says(state, "there is no such file"));
+    fs::create_dir(&path).expect("a folder in its place");
+    view.until("a folder", |state| says(state, "is a folder, not a script"));
+    fs::remove_dir(&path).expect("it goes as well");
+    view.until("gone again", |state| says(state, "there is no such file"));
+    view.save(SCRIPT);
+    view.until("back", |state| state["isCurrent"] == json!(true));
+}
+
+#[test]
 fn files_that_the_script_reads_are_followed() {
     let scratch = Scratch::new("view-import");
     scratch.file("part.geo", "let size = 3\n");

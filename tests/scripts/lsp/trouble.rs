@@ -91,6 +91,35 @@ fn an_endless_run_ends_with_the_next_edit() {
 }
 
 #[test]
+fn what_needs_no_value_is_told_during_an_endless_run() {
+    let refresh = json!({ "refreshSupport": true });
+    let mut client = Client::with(
+        json!({ "workspace": { "inlayHint": refresh, "codeLens": refresh } }),
+        serde_json::Value::Null,
+    );
+    let text =
+        "fn twice(long, wide) = long * wide\nlet a = twice(1, 2)\ntest \"t\" { check true }\n";
+    let endless = format!("{text}print sum([for i in 0..<100000: sum([for j in 0..<9000: j])])");
+    client.open(URI, &endless);
+    let whole = json!({ "textDocument": { "uri": URI }, "range": range_of([0, 0, 9, 0]) });
+    let labels = |hints: &serde_json::Value| -> Vec<String> {
+        let hints = hints.as_array().expect("hints").iter();
+        hints.map(|hint| hint["label"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    assert_eq!(labels(&client.ask("textDocument/inlayHint", whole.clone())), ["long: ", "wide: "]);
+    client.edit(URI, 2, None, text);
+    client.hear("workspace/inlayHint/refresh");
+    client.hear("workspace/codeLens/refresh");
+    let hints = client.ask("textDocument/inlayHint", whole.clone());
+    assert_eq!(labels(&hints), ["long: ", "wide: ", " = 2"]);
+    // Who cannot be told to ask anew is answered a little later.
+    let mut client = Client::new();
+    client.open(URI, &endless);
+    assert_eq!(labels(&client.ask("textDocument/inlayHint", whole.clone())), ["long: ", "wide: "]);
+    assert!(client.ask("textDocument/codeLens", whole).is_array());
+}
+
+#[test]
 fn an_endless_run_does_not_keep_another_document_waiting() {
     let mut client = Client::new();
     client.open(URI, "print sum([for i in 0..<100000: sum([for j in 0..<9000: j])])");

@@ -12,6 +12,7 @@ use domain::{Domain, domains};
 use found::{Found, Tolerances, shared};
 use integrand::Integrand;
 
+use super::Over;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{
@@ -46,7 +47,7 @@ op! {
         /// over a box, of a point over a curve or an area.
         f: Spanned<Callback>,
         /// The range; or a list of two or three, a curve, a region, a face, a surface, a list of curves or of areas.
-        over: Spanned<Value>,
+        over: Spanned<Over>,
         /// How far the integral may be off, in units of its own; thirteen digits unless given.
         tolerance: Option<Spanned<Number>>,
         /// Whether a record tells how it was found: the `integral`, the `error` that two rules leave, and
@@ -72,7 +73,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    let domains = domains(&args.over)?;
+    let domains = domains(&args.over.map(|over| over.0))?;
     let tolerances = match &args.tolerance {
         Some(tolerance) if tolerance.value.value <= 0.0 => {
             let message = format!("`tolerance` is {}; it must be above zero", tolerance.value);
