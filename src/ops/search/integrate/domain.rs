@@ -267,16 +267,18 @@ fn element(
 }
 
 /// How a curve goes on beyond an end of a piece: over an inner knot, or where it closes.
-fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> Result<RangeEnd, GeomError> {
+fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> std::result::Result<RangeEnd, GeomError> {
     let (at, domain) = (ends[which], curve.domain());
-    let (own, other) = if which == 0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
+    let (own, other) =
+        if which == 0 { (Side::Right, Side::Left) } else { (Side::Left, Side::Right) };
     let further = match () {
         () if domain.start() < at && at < domain.end() => at,
         () if !curve.is_closed(0.0) => return Ok(RangeEnd::Last),
         () if at <= domain.start() => domain.end(),
         () => domain.start(),
     };
-    let [own, other] = [(at, own), (further, other)].map(|(t, side)| curve.derivatives_beside(t, side, 1));
+    let [own, other] =
+        [(at, own), (further, other)].map(|(t, side)| curve.derivatives_beside(t, side, 1));
     let directions = [own?[1], other?[1]].map(DVec3::normalize_or_zero);
     Ok(match directions[0].distance(directions[1]) <= TURN_ACCURACY {
         true => RangeEnd::Smooth,

@@ -220,7 +220,8 @@ pub(super) fn settled(
             let total = Found { value: found.value, error, size: found.size, switches };
             let Some(like) = &range.carried else { return Ok(total) };
             // What goes another way on the end itself does so for one of the two ranges that meet there.
-            for (at, _) in ends.into_iter().zip(range.beyond).filter(|end| end.1 != RangeEnd::Last) {
+            for (at, _) in ends.into_iter().zip(range.beyond).filter(|end| end.1 != RangeEnd::Last)
+            {
                 if let Ok(found) = ask(Real::Plain(at)) {
                     seen.push(SeenPlace { at, switches: found.switches });
                 }
