@@ -15,7 +15,7 @@ use super::{
 const N_CELLS: usize = 64;
 
 /// Roundings of a distance by which the floor may be above the least.
-const FLOOR_ROUNDINGS: f64 = 16.0;
+pub(crate) const FLOOR_ROUNDINGS: f64 = 16.0;
 
 /// Digits that a number written in full has at most.
 const MOST_DIGITS: usize = 16;

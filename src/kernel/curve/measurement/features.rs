@@ -178,7 +178,7 @@ impl NurbsCurve {
     }
 
     /// Of candidates between which the curve does not leave the plane's neighbourhood the nearest;
-    /// of those between which it lies in the plane the first and the last.
+    /// of those between which it stays at one height the first and the last.
     fn told_in_plane(
         &self,
         sorted: Vec<f64>,
@@ -189,15 +189,16 @@ impl NurbsCurve {
         let highest = |a: f64, b: f64| highest(&height, a, b);
         let mut told: Vec<f64> = Vec::new();
         for run in sorted.chunk_by(|&a, &b| highest(a, b) <= tolerance.distance) {
-            let low = run.iter().map(|&t| height(t)).fold(f64::INFINITY, f64::min);
-            let lowest = run.iter().copied().filter(|&t| height(t) <= low + rounding);
-            let lowest: Vec<f64> = lowest.collect();
-            let is_flat = lowest.windows(2).all(|pair| highest(pair[0], pair[1]) <= rounding);
-            let bottom = match lowest[..] {
-                [first, .., last] if is_flat => self.touched([first, last], &height, tolerance),
-                _ => None,
-            };
-            told.extend(bottom.map_or(lowest, |bottom| vec![bottom]));
+            let level = run.iter().map(|&t| height(t)).fold(f64::INFINITY, f64::min) + rounding;
+            let lowest: Vec<f64> = run.iter().copied().filter(|&t| height(t) <= level).collect();
+            for flat in lowest.chunk_by(|&a, &b| highest(a, b) <= level) {
+                let [first, .., last] = *flat else {
+                    told.extend_from_slice(flat);
+                    continue;
+                };
+                let bottom = self.touched([first, last], &height, tolerance);
+                told.extend(bottom.map_or(vec![first, last], |bottom| vec![bottom]));
+            }
         }
         told
     }

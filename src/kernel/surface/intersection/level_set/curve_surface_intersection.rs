@@ -6,20 +6,17 @@
 
 use std::sync::Arc;
 
-use glam::{DVec3, DVec4};
-
 use super::{
-    error::PictureError,
+    bezier_segment::{BezierSegment, LyingPiece},
     far::piercings_near_zero,
     pair::{SurfacePart, SurfacePatches},
     results::CurveSurfaceIntersection,
     scaled::CommonScale,
 };
 use crate::{
-    Bounds, Curve, GeomError, Interval, NurbsCurve, NurbsSurface, Surface, Tolerance, bezier,
+    Bounds, Curve, GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
     ceiling::{CROSSING_STEPS, SURFACE_PAIRS},
-    frame::{norm, unit, widest_angle},
-    homogeneous,
+    frame::norm,
     nearest::BoxedPiece,
     numeric::{
         linear::solved,
@@ -27,37 +24,8 @@ use crate::{
     },
     sorting::sort_by,
     tolerance::{FLAT_SHARE, LAST_BIT, PLACE_RELATIVE},
-    valley::Valley,
     work,
 };
-
-/// A touch this many times longer than its parts is looked at for how the distance runs along it.
-const LONGEST_TOUCH: f64 = 24.0;
-
-/// A longer share of a stretch, on which the distance is the least, runs along the surface.
-const FLOOR_SHARE: f64 = 0.5;
-
-/// A touch leaves its neighbourhood where it is this share of what counts as near away.
-const APART_SHARE: f64 = 0.5;
-
-/// A piece of the curve.
-struct BezierSegment {
-    ends: [f64; 2],
-    points: Vec<DVec4>,
-    places: Vec<DVec3>,
-    bounds: Bounds,
-    /// All tangents are within the angle of the axis.
-    axis: DVec3,
-    angle: f64,
-}
-
-/// A piece that lies along the surface.
-#[derive(Clone, Copy)]
-struct LyingPiece {
-    ends: [f64; 2],
-    bounds: Bounds,
-    widest: f64,
-}
 
 /// Roundings of places below which nothing is told apart, whatever the tolerance.
 const TOLD_ROUNDINGS: f64 = 64.0;
@@ -67,7 +35,7 @@ impl Surface {
     /// the parameter on the curve.
     ///
     /// # Errors
-    /// [`PictureError::RunsAlong`] where they share a stretch; for functions as
+    /// [`super::PictureError::RunsAlong`] where they share a stretch; for functions as
     /// [`crate::ParametricSurface::to_nurbs`].
     pub fn piercings(
         &self,
@@ -95,22 +63,23 @@ impl Surface {
     }
 }
 
-struct PiercingSearch<'a> {
-    curve: &'a NurbsCurve,
-    surface: &'a NurbsSurface,
-    tolerance: f64,
+/// A search for what a curve and a surface share.
+pub(super) struct PiercingSearch<'a> {
+    pub(super) curve: &'a NurbsCurve,
+    pub(super) surface: &'a NurbsSurface,
+    pub(super) tolerance: f64,
     /// Pieces that touch are no larger than this.
     touch_size: f64,
     /// What a distance may be wrong by.
-    rounding: f64,
+    pub(super) rounding: f64,
 }
 
 impl PiercingSearch<'_> {
     fn run(&self) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
-        let near = FLAT_SHARE * self.tolerance;
-        let mut todo = self.near_pairs(near);
-        let mut found = Vec::new();
-        let mut contacts: Vec<LyingPiece> = Vec::new();
+        let flat = FLAT_SHARE * self.tolerance;
+        let mut todo = self.near_pairs();
+        let mut crossings = Vec::new();
+        let mut lying: Vec<LyingPiece> = Vec::new();
         let mut unresolved: Vec<LyingPiece> = Vec::new();
         let mut n_pairs = 0;
         while work::goes_on(1)
@@ -118,58 +87,53 @@ impl PiercingSearch<'_> {
         {
             n_pairs += 1;
             if SURFACE_PAIRS < n_pairs {
-                let [start, end] = piece.ends;
-                return Err(PictureError::RunsAlong { start, end }.into());
+                return Err(self.runs_along(piece.ends));
             }
-            if part.is_crossed_by(piece.axis, piece.angle)
-                && let Some(place) = self.crossing(&piece, &part)
-            {
-                found.push(place);
+            let is_crossed = part.is_crossed_by(piece.axis, piece.angle);
+            if is_crossed && let Some(place) = self.crossing(&piece, &part) {
+                crossings.push(place);
                 continue;
             }
             let sizes = [piece.bounds.diagonal(), part.bounds.diagonal()];
-            let is_flat = piece.deviation().max(part.thickness()) <= near;
-            let is_small = sizes[0].max(sizes[1]) <= self.touch_size;
-            if is_flat && is_small && !part.is_crossed_by(piece.axis, piece.angle) {
-                let (ends, widest) = (piece.ends, sizes[0].max(sizes[1]));
-                contacts.push(LyingPiece { ends, bounds: piece.bounds, widest });
+            let widest = sizes[0].max(sizes[1]);
+            let is_flat = piece.deviation().max(part.thickness()) <= flat;
+            if is_flat && widest <= self.touch_size && !is_crossed {
+                lying.push(LyingPiece::new(&piece, widest));
                 continue;
             }
-            if sizes[0].max(sizes[1]) <= near {
-                let (ends, widest) = (piece.ends, sizes[0].max(sizes[1]));
-                unresolved.push(LyingPiece { ends, bounds: piece.bounds, widest });
+            if widest <= self.tolerance {
+                unresolved.push(LyingPiece::new(&piece, widest));
                 continue;
             }
-            if sizes[1] <= sizes[0] {
-                todo.extend(piece.halves().map(|half| (Arc::new(half), Arc::clone(&part))));
+            let halves: [_; 2] = if sizes[1] <= sizes[0] {
+                piece.halves().map(|half| (Arc::new(half), Arc::clone(&part)))
             } else {
-                todo.extend(part.halves().map(|half| (Arc::clone(&piece), Arc::new(half))));
-            }
-            let last = todo.len() - 2;
-            let tail = todo.split_off(last);
-            let is_near = |(piece, part): &(Arc<BezierSegment>, Arc<SurfacePart>)| {
-                !part.is_beside(piece.bounds, &piece.places, near)
+                part.halves().map(|half| (Arc::clone(&piece), Arc::new(half)))
             };
-            todo.extend(tail.into_iter().filter(is_near));
+            let is_near = |(piece, part): &(Arc<BezierSegment>, Arc<SurfacePart>)| {
+                !part.is_beside(piece.bounds, &piece.places, self.tolerance)
+            };
+            todo.extend(halves.into_iter().filter(is_near));
         }
-        found.extend(self.touches(contacts)?);
         // Beside a crossing, its neighbours come as near; where there is none, they are what there is.
-        unresolved.retain(|piece| !found.iter().any(|place| self.is_at(piece, place)));
-        found.extend(self.touches(unresolved)?);
-        Ok(self.in_order(found))
+        unresolved.retain(|piece| !crossings.iter().any(|place| self.is_at(piece, place)));
+        lying.extend(unresolved);
+        let touches = self.touches(lying)?;
+        Ok(self.in_order(self.nearest_places(crossings, touches)))
     }
 
     /// Pieces of the curve and parts of the surface that are near to one another; no piece is larger
     /// than its part, lest a long one is near to all that its box holds.
-    fn near_pairs(&self, near: f64) -> Vec<(Arc<BezierSegment>, Arc<SurfacePart>)> {
+    fn near_pairs(&self) -> Vec<(Arc<BezierSegment>, Arc<SurfacePart>)> {
         let mut patches = SurfacePatches::new(self.surface);
         let spans = self.curve.knots().spans();
         let whole = spans.map(|span| Arc::new(BezierSegment::of_span(self.curve, span))).collect();
-        let pairs = self.surface.patch_boxes().near_pieces(whole, near);
+        let pairs = self.surface.patch_boxes().near_pieces(whole, self.tolerance);
         let mut todo = Vec::new();
         for (piece, spans) in pairs {
             let part = patches.part(spans);
-            let part = part.filter(|part| !part.is_beside(piece.bounds, &piece.places, near));
+            let part =
+                part.filter(|part| !part.is_beside(piece.bounds, &piece.places, self.tolerance));
             todo.extend(part.map(|part| (piece, part)));
         }
         todo
@@ -220,7 +184,8 @@ impl PiercingSearch<'_> {
         (is_inside && part.holds([u, v])).then(|| self.piercing(t, [u, v]))?
     }
 
-    fn piercing(&self, t: f64, uv: [f64; 2]) -> Option<CurveSurfaceIntersection> {
+    /// The place at parameters of both, if they meet there.
+    pub(super) fn piercing(&self, t: f64, uv: [f64; 2]) -> Option<CurveSurfaceIntersection> {
         let (p, q) = (self.curve.point_at(t), self.surface.point_at(uv[0], uv[1]));
         let apart = p.distance(q);
         // The last bits of the parameters may not let them come nearer.
@@ -231,52 +196,6 @@ impl PiercingSearch<'_> {
             apart <= self.tolerance + reach
         };
         is_met.then(|| CurveSurfaceIntersection { t, uv, point: p.midpoint(q) })
-    }
-
-    /// The nearest approach within each stretch of contacts.
-    fn touches(
-        &self,
-        mut contacts: Vec<LyingPiece>,
-    ) -> Result<Vec<CurveSurfaceIntersection>, GeomError> {
-        sort_by(&mut contacts, |a, b| a.ends[0].total_cmp(&b.ends[0]));
-        let mut stretches: Vec<LyingPiece> = Vec::new();
-        for contact in contacts {
-            match stretches.last_mut() {
-                Some(last) if contact.ends[0] <= last.ends[1] => {
-                    last.ends[1] = last.ends[1].max(contact.ends[1]);
-                    last.bounds = last.bounds.union(contact.bounds);
-                    last.widest = last.widest.max(contact.widest);
-                }
-                _ => stretches.push(contact),
-            }
-        }
-        let mut found = Vec::new();
-        for LyingPiece { ends: [start, end], bounds, widest } in stretches {
-            let Ok(stretch) = Interval::new(start, end) else { continue };
-            let valley = Valley::of(|t| self.apart(t), stretch, self.rounding);
-            let is_long = LONGEST_TOUCH * widest < bounds.diagonal();
-            if is_long && !self.is_touch(&valley, bounds.diagonal()) {
-                return Err(PictureError::RunsAlong { start, end }.into());
-            }
-            let foot = self.surface.closest(self.curve.point_at(valley.bottom));
-            found.extend(self.piercing(valley.bottom, foot.parameters));
-        }
-        Ok(found)
-    }
-
-    /// How far the curve is from the surface.
-    fn apart(&self, t: f64) -> f64 {
-        self.surface.closest(self.curve.point_at(t)).distance
-    }
-
-    /// Whether a stretch of that size has its floor in one place and rises on both sides of it: a
-    /// touch of higher order.
-    fn is_touch(&self, valley: &Valley, size: f64) -> bool {
-        let start = self.curve.point_at(valley.floor.start());
-        let floor = start.distance(self.curve.point_at(valley.floor.end()));
-        valley.is_single
-            && valley.rises_to(APART_SHARE * FLAT_SHARE * self.tolerance, [false; 2])
-            && floor <= FLOOR_SHARE * size
     }
 
     /// In the order of the curve, each place once.
@@ -312,50 +231,5 @@ impl PiercingSearch<'_> {
             }
         }
         kept
-    }
-}
-
-impl BoxedPiece for BezierSegment {
-    fn bounds(&self) -> Bounds {
-        self.bounds
-    }
-
-    fn halves(&self) -> [Self; 2] {
-        let (before, behind) = bezier::cut_at(&self.points, 0.5);
-        let middle = 0.5 * (self.ends[0] + self.ends[1]);
-        [Self::new([self.ends[0], middle], before), Self::new([middle, self.ends[1]], behind)]
-    }
-}
-
-impl BezierSegment {
-    fn of_span(curve: &NurbsCurve, span: usize) -> Self {
-        let ends = curve.knots().span_interval(span);
-        let points = bezier::piece(curve.knots(), curve.control_points(), span);
-        Self::new([ends.start(), ends.end()], points)
-    }
-
-    fn new(ends: [f64; 2], points: Vec<DVec4>) -> Self {
-        let places: Vec<DVec3> = points.iter().map(|&point| homogeneous::place(point)).collect();
-        let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
-        let bounds = Bounds::of(places.iter().copied()).unwrap_or(nothing);
-        // Tangents of a rational curve are between the legs of its polygon.
-        let legs = || places.windows(2).filter_map(|pair| unit(pair[1] - pair[0]));
-        let axis = unit(legs().sum()).unwrap_or(DVec3::ZERO);
-        let angle = match axis == DVec3::ZERO {
-            true => std::f64::consts::PI,
-            false => widest_angle(legs(), axis),
-        };
-        Self { ends, points, places, bounds, axis, angle }
-    }
-
-    /// How far the control points are from the chord.
-    fn deviation(&self) -> f64 {
-        let (start, end) = (self.places[0], self.places[self.places.len() - 1]);
-        let chord = unit(end - start).unwrap_or(DVec3::ZERO);
-        let off = |&place: &DVec3| {
-            let way = place - start;
-            norm(way - chord * way.dot(chord))
-        };
-        self.places.iter().map(off).fold(0.0, f64::max)
     }
 }

@@ -9,13 +9,15 @@
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
 //! of what they mirror. `surface_intersection` has the curves in which two surfaces cross,
 //! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`tangential_contact`)
-//! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface.
+//! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface
+//! (pieces of it in `bezier_segment`, what does not cross clearly in `curve_surface_touch`).
 //! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest, `far` for parameters
 //! far from zero.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
 
+mod bezier_segment;
 mod branch;
 mod branch_sample;
 mod cell;
@@ -23,6 +25,7 @@ mod chain;
 mod collapsed;
 mod cubic;
 mod curve_surface_intersection;
+mod curve_surface_touch;
 mod elsewhere;
 mod error;
 mod far;
