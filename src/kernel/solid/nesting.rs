@@ -200,7 +200,7 @@ fn meeting(faces: [&Face; 2], tolerance: Tolerance) -> Result<Option<DVec3>, Geo
                 && face.has(foot.parameters, tolerance)
         })
     };
-    Ok(set.touches.into_iter().chain(set.uncertain).find(is_on))
+    Ok(set.touches.into_iter().chain(set.contacts).chain(set.uncertain).find(is_on))
 }
 
 /// Whether faces are parts of one surface, or of one plane.

@@ -344,7 +344,7 @@ impl Face {
         let arcs = self.with_pinches(arcs, limits[0], |p| height(p).0.abs() <= limits[0])?;
         let middle = |curve: &NurbsCurve| curve.point_at(curve.domain().at(0.5));
         let on_curves: Vec<DVec3> = found.curves.iter().map(middle).collect();
-        Ok((arcs, [found.touches, found.uncertain, on_curves].concat()))
+        Ok((arcs, [found.touches, found.contacts, found.uncertain, on_curves].concat()))
     }
 
     fn pulled(

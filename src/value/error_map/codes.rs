@@ -132,6 +132,7 @@ const fn of_picture(error: &PictureError) -> Code {
         | PictureError::OffSurface { .. }
         | PictureError::ToldTwice { .. }
         | PictureError::EndsInside { .. }
+        | PictureError::SmallLoop { .. }
         | PictureError::RunsAlong { .. }
         | PictureError::Open { .. }
         | PictureError::OffPlane { .. }

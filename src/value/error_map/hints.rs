@@ -348,7 +348,8 @@ fn of_picture(error: &PictureError) -> String {
         PictureError::TooTangled { .. }
         | PictureError::OffSurface { .. }
         | PictureError::ToldTwice { .. }
-        | PictureError::EndsInside { .. } => {
+        | PictureError::EndsInside { .. }
+        | PictureError::SmallLoop { .. } => {
             "`trim` the surfaces to where they should cross, or state a larger `tolerance`"
         }
         PictureError::RunsAlong { .. } => {

@@ -103,6 +103,7 @@ fn on_faces(mut set: LevelSet, parts: [&SurfaceOrFace; 2], ctx: &Ctx<'_>) -> Lev
         })
     };
     set.touches.retain(is_on);
+    set.contacts.retain(is_on);
     set.uncertain.retain(is_on);
     set
 }

@@ -45,6 +45,13 @@ fn lines(ctx: &mut Ctx<'_>, set: LevelSet, what: &str) -> Vec<NurbsCurve> {
         let message = format!("{what} at {} only, which is no curve", place_of(ctx, touch));
         ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message));
     }
+    for place in set.contacts {
+        let message = format!(
+            "{what} along a line through {}, where they do not cross",
+            place_of(ctx, place)
+        );
+        ctx.warn(Diagnostic::warning(Code::DegenerateResult, ctx.span, message));
+    }
     for place in set.uncertain {
         let place = place_of(ctx, place);
         let message =

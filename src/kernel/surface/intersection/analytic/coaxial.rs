@@ -18,6 +18,9 @@ const AXIS_SHARE: f64 = 0.1 * CONTACT_SHARE;
 /// Surfaces that keep within so many tolerances of one another where they cross, or all but do, run together.
 const LEAST_DEPTH: f64 = 4.0;
 
+/// Part of the tolerance by which meridians that touch may miss one another.
+const TOUCH_SHARE: f64 = 0.1 * CONTACT_SHARE;
+
 /// Places of a circle that are looked at.
 const N_LOOKS: u32 = 24;
 
@@ -36,7 +39,7 @@ enum MeridianLine {
 }
 
 impl NurbsSurface {
-    /// The circles in which it crosses another surface about the same axis, along N × N of the two; none where they
+    /// The circles in which it crosses or touches another surface about the same axis, along N × N of the two; none where they
     /// have no common axis, only a part of a circle, or run together within some tolerances.
     pub(in crate::surface) fn coaxial_circles(
         &self,
@@ -48,7 +51,7 @@ impl NurbsSurface {
             return None;
         }
         let mut circles = Vec::new();
-        for place in one.places_on(another, LEAST_DEPTH * distance)? {
+        for place in one.places_on(another, [TOUCH_SHARE * distance, LEAST_DEPTH * distance])? {
             if place.x < -distance {
                 continue;
             }
@@ -182,8 +185,9 @@ impl MeridianLine {
         }
     }
 
-    /// The places of both; none where they keep, or pass one another, within a depth.
-    fn places_on(self, other: Self, depth: f64) -> Option<Vec<DVec2>> {
+    /// The places of both; one where they touch up to the first depth, none where they keep, or pass one another,
+    /// within the second.
+    fn places_on(self, other: Self, [touch, depth]: [f64; 2]) -> Option<Vec<DVec2>> {
         match (self, other) {
             (Self::Straight { normal, offset }, Self::Straight { normal: its, offset: away }) => {
                 let sine = normal.perp_dot(its);
@@ -192,7 +196,7 @@ impl MeridianLine {
             }
             (Self::Straight { normal, offset }, Self::Round { center, radius })
             | (Self::Round { center, radius }, Self::Straight { normal, offset }) => {
-                chord(center, radius, normal, offset - normal.dot(center), depth)
+                chord(center, radius, normal, offset - normal.dot(center), [touch, depth])
             }
             (
                 Self::Round { center, radius },
@@ -203,28 +207,39 @@ impl MeridianLine {
                 // How far the one reaches into the other, and out of it.
                 let into = radius + its_radius - length;
                 let out = length - (radius - its_radius).abs();
-                if into.abs().min(out.abs()) <= depth {
+                let least = into.abs().min(out.abs());
+                if least <= touch && depth < length {
+                    // From outside towards the other's centre, from inside away from the lesser one's.
+                    let is_away = out.abs() <= touch && radius < its_radius;
+                    let side = if is_away { -radius } else { radius };
+                    return Some(vec![center + way * (side / length)]);
+                }
+                if least <= depth {
                     return None;
                 }
                 if into < 0.0 || out < 0.0 {
                     return Some(Vec::new());
                 }
                 let squares = length * length + (radius - its_radius) * (radius + its_radius);
-                chord(center, radius, way / length, 0.5 * squares / length, 0.0)
+                chord(center, radius, way / length, 0.5 * squares / length, [0.0; 2])
             }
         }
     }
 }
 
-/// The places of a circle on a line at a distance from its centre; none where it is nearer to touching than a depth.
+/// The places of a circle on a line at a distance from its centre; one where it touches up to the first depth, none
+/// where it is nearer to touching than the second.
 fn chord(
     center: DVec2,
     radius: f64,
     normal: DVec2,
     distance: f64,
-    depth: f64,
+    [touch, depth]: [f64; 2],
 ) -> Option<Vec<DVec2>> {
     let inside = radius - distance.abs();
+    if inside.abs() <= touch && depth < radius {
+        return Some(vec![center + normal * distance]);
+    }
     if inside.abs() <= depth {
         return None;
     }

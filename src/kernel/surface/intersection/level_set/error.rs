@@ -46,6 +46,12 @@ pub enum PictureError {
         place(*point)
     )]
     EndsInside { point: DVec3 },
+    /// A closed curve so small that it could not be followed.
+    #[error(
+        "no curve can be told for certain near {}: the surfaces cross there in a small loop, which could not be followed",
+        place(*point)
+    )]
+    SmallLoop { point: DVec3 },
     /// A curve that shares a stretch with a surface.
     #[error("the curve runs along the surface from parameter {} to {}", few_digits(*start), few_digits(*end))]
     RunsAlong { start: f64, end: f64 },

@@ -8,7 +8,8 @@
 //! divided out first. `sample` turns branches into points with tangents, `chain` joins these,
 //! `cubic` lays splines through them. `plane` has the fields of planes, `shade` those of normals and
 //! of what they mirror. `surface_intersection` has the curves in which two surfaces cross,
-//! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`tangential_contact`)
+//! by parts of both (`pair`, `share`) and by following what is found (`trace`), also where they touch (`tangential_contact`, seen by
+//! `parallel_pair`), in a small loop (`small_loop`),
 //! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface
 //! (pieces of it in `bezier_segment`, what does not cross clearly in `curve_surface_touch`).
 //! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest, `far` for parameters
@@ -30,6 +31,7 @@ mod elsewhere;
 mod error;
 mod far;
 mod pair;
+mod parallel_pair;
 mod plane;
 mod resting_place;
 mod results;
@@ -38,6 +40,7 @@ mod scaled;
 mod seam;
 mod shade;
 mod share;
+mod small_loop;
 mod sphere;
 mod surface_intersection;
 mod surface_pair;
@@ -208,7 +211,7 @@ impl ZeroSetParts {
         let curves: Result<Vec<NurbsCurve>, GeomError> =
             chained.lines.into_iter().map(spline).collect();
         let curves = verify::without_crumbs(curves?, self.tolerance);
-        Ok(LevelSet { curves, touches: chained.isolated, uncertain: Vec::new() })
+        Ok(LevelSet { curves, touches: chained.isolated, ..LevelSet::default() })
     }
 }
 

@@ -15,7 +15,7 @@ use crate::NurbsCurve;
 /// let found = sphere.section(Frame::XY.at(DVec3::Z * 0.6), Tolerance::DEFAULT)?;
 /// let around: f64 = found.curves.iter().map(|curve| curve.length(curve.domain())).sum();
 /// assert!((around - 1.6 * std::f64::consts::PI).abs() < 1e-5);
-/// assert!(found.touches.is_empty() && found.uncertain.is_empty());
+/// assert!(found.touches.is_empty() && found.contacts.is_empty() && found.uncertain.is_empty());
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug, Default)]
@@ -26,8 +26,10 @@ pub struct LevelSet {
     pub curves: Vec<NurbsCurve>,
     /// Points that the field touches zero in, or that branches shrink to.
     pub touches: Vec<DVec3>,
-    /// Points where rounding decides whether lines cross and how they go on: one of each line along
-    /// which two surfaces only touch, and where they touch more closely than second derivatives tell.
+    /// Points of the lines along which two surfaces only touch, one of each.
+    pub contacts: Vec<DVec3>,
+    /// Points where rounding decides whether lines cross and how they go on: where surfaces touch more
+    /// closely than second derivatives tell.
     pub uncertain: Vec<DVec3>,
 }
 

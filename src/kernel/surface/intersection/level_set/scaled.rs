@@ -68,6 +68,7 @@ impl CommonScale {
         LevelSet {
             curves: found.curves.iter().map(|curve| curve.transformed(&map)).collect(),
             touches: places(found.touches),
+            contacts: places(found.contacts),
             uncertain: places(found.uncertain),
         }
     }
@@ -100,6 +101,7 @@ impl CommonScale {
             | PictureError::TooTangled { point }
             | PictureError::ToldTwice { point }
             | PictureError::EndsInside { point }
+            | PictureError::SmallLoop { point }
             | PictureError::Crossing { point, .. } => *point *= self.0,
             PictureError::OffSurface { point, distance } => {
                 *point *= self.0;

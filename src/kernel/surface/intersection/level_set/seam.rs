@@ -18,6 +18,9 @@ use crate::{
     tolerance::{BESIDE_EDGE, CONE_CLEARANCE},
 };
 
+/// Where along an edge, as a fraction of it, a second place tells an area beside it from a line.
+const ALONG_EDGE: f64 = 0.03;
+
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
 pub(super) struct EdgeOverlap {
@@ -47,29 +50,34 @@ impl EdgeOverlap {
         Ok(seams)
     }
 
-    /// A point beside it that is on both surfaces, where they share an area there.
+    /// A point beside it that is on both surfaces, where they share an area there. What is only on a line that
+    /// leaves the edge is none.
     pub(super) fn overlap(&self, [a, b]: [&NurbsSurface; 2], distance: f64) -> Option<DVec3> {
         let (along, side) = self.edges[0].place();
         let across = a.domain(along);
         let beside = |share: f64| across.at(if side == Side::Left { share } else { 1.0 - share });
         let domain = self.curve.domain();
-        [0.25, 0.5, 0.75].into_iter().find_map(|share| {
+        let inside = |share: f64| {
             let foot = a.closest(self.curve.point_at(domain.at(share))).parameters;
-            let inside = BESIDE_EDGE.map(|share| match along {
+            BESIDE_EDGE.map(|share| match along {
                 Direction::U => a.point_at(beside(share), foot[1]),
                 Direction::V => a.point_at(foot[0], beside(share)),
-            });
-            let is_shared = inside.into_iter().all(|p| b.closest(p).distance <= distance);
-            is_shared.then_some(inside[0])
-        })
+            })
+        };
+        let is_shared = |share: &f64| {
+            inside(*share).into_iter().all(|point| b.closest(point).distance <= distance)
+        };
+        let is_area = |share: &f64| is_shared(share) && is_shared(&(share + ALONG_EDGE));
+        [0.25, 0.5, 0.75].into_iter().find(is_area).map(|share| inside(share)[0])
     }
 
-    /// Whether neither surface ends there, as both close.
-    pub(super) fn is_inside_both(&self, surfaces: [&NurbsSurface; 2], distance: f64) -> bool {
-        surfaces.into_iter().zip(self.edges).all(|(surface, edge)| match edge.place().0 {
+    /// How many of the surfaces do not end there, as they close.
+    pub(super) fn n_inside(&self, surfaces: [&NurbsSurface; 2], distance: f64) -> usize {
+        let is_inside = |&(surface, edge): &(&NurbsSurface, Edge)| match edge.place().0 {
             Direction::U => surface.is_closed_u(distance),
             Direction::V => surface.is_closed_v(distance),
-        })
+        };
+        surfaces.into_iter().zip(self.edges).filter(is_inside).count()
     }
 
     /// Whether parts of both surfaces are beside it.

@@ -11,10 +11,11 @@ use glam::DVec3;
 use super::{
     PictureError, chain,
     pair::{SurfacePart, SurfacePatches},
+    parallel_pair::ParameterRegion,
     sample::{BranchSamples, VanishingPlace},
     seam::EdgeOverlap,
     surface_pair::SurfacePair,
-    tangential_contact::{ParameterRegion, TangentialContact},
+    tangential_contact::TangentialContact,
     trace::CurveEnds,
 };
 use crate::{
@@ -39,6 +40,10 @@ pub(super) struct SharedParts {
     /// Places where the surfaces only touch, and lines.
     pub(super) touches: Vec<VanishingPlace>,
     pub(super) lines: Vec<BranchSamples>,
+    /// How far the surfaces are apart, or reach through one another, on each of the lines.
+    pub(super) gaps: Vec<f64>,
+    /// Small closed curves about places where the surfaces all but touch.
+    pub(super) loops: Vec<BranchSamples>,
     /// Where all is known.
     reaches: Vec<ParameterRegion>,
     /// How often a contact was looked for.
@@ -136,7 +141,7 @@ impl SharedParts {
         let seen = crossing.touch_near(at).filter(|seen| {
             let [u, v, s, t] = seen.at;
             self.has_looser |= seen.rise.abs() <= loosest;
-            crossing.is_contact(seen)
+            (crossing.is_contact(seen) || crossing.may_loop_about(seen))
                 && crossing.is_inside(seen.at)
                 && a.is_about([u, v])
                 && b.is_about([s, t])
@@ -144,8 +149,15 @@ impl SharedParts {
                 && !self.reaches.iter().any(|reach| reach.holds(seen.at, seen.at))
         });
         let Some(seen) = seen else { return Ok(false) };
-        match crossing.contact(&seen) {
+        let contact = crossing.contact(&seen);
+        match contact {
             None => return Ok(false),
+            Some(TangentialContact::Loop(around)) => {
+                let Some(run) = crossing.small_loop(&around, &self.ends) else { return Ok(false) };
+                self.loops.push(run);
+                self.reaches.push(around.reach);
+            }
+            Some(_) if !crossing.is_contact(&seen) => return Ok(false),
             Some(TangentialContact::Area) => {
                 return Err(PictureError::SurfacesRunTogether { point: seen.point }.into());
             }
@@ -165,6 +177,7 @@ impl SharedParts {
                 let Some((run, reaches)) = crossing.tangency(&seen) else { return Ok(false) };
                 if !run.is_on(&self.lines, crossing.tolerance) {
                     self.lines.push(run);
+                    self.gaps.push(seen.rise.abs());
                 }
                 self.reaches.extend(reaches);
             }
@@ -220,6 +233,9 @@ fn spots(
         });
         // Where no place is the best one, as at a pole, any is near enough.
         let seen = nearest.and_then(|i| crossing.touch_near(contacts[i].1));
+        if let Some(point) = seen.and_then(|seen| crossing.loop_beside(&seen, whole)) {
+            return Err(PictureError::SmallLoop { point }.into());
+        }
         let is_here = |point: DVec3| whole.contains(point, 0.5 * whole.diagonal());
         let inside = seen.map(|seen| seen.point).filter(|&point| is_here(point));
         let pole = crossing.poles.iter().copied().find(|&pole| is_here(pole));

@@ -26,14 +26,19 @@ const DIRECTIONS: [[i8; 3]; 13] = [
     [1, -1, -1],
 ];
 
-/// The surfaces, of which a whole sphere that touches the other in a pole has its poles as far from it as
-/// any of some axes allows.
+/// The angle, radians, by which a sphere about another axis has its seam away from where a frame has its x axis by
+/// itself: there, through the axes of space, much touches.
+const SEAM_TURN: f64 = 0.7;
+
+/// The surfaces, of which a whole sphere that touches the other in a pole, within the tolerance, has its poles as far
+/// from it as any of some axes allows.
 pub(super) fn with_poles_aside(
     surfaces: [Arc<NurbsSurface>; 2],
     contact: f64,
+    tolerance: f64,
 ) -> [Arc<NurbsSurface>; 2] {
     let [a, b] = &surfaces;
-    if poles([a, b], contact).is_empty() {
+    if poles([a, b], tolerance).is_empty() {
         return surfaces;
     }
     [(a, b), (b, a)].map(|(surface, other)| {
@@ -51,7 +56,7 @@ fn turned(surface: &NurbsSurface, other: &NurbsSurface, contact: f64) -> Option<
         unit(frame.x() * f64::from(x) + frame.y() * f64::from(y) + frame.z() * f64::from(z))
     });
     let (_, axis) = axes.map(|axis| (away(axis), axis)).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    about(frame.origin(), axis, radius, is_outward)
+    about(Frame::from_normal(frame.origin(), axis, None).ok()?, radius, is_outward)
 }
 
 /// A whole sphere with a pole in a direction of its own frame; none of other surfaces.
@@ -62,11 +67,13 @@ pub(super) fn sphere_about(
 ) -> Option<NurbsSurface> {
     let (frame, radius, is_outward) = whole_sphere(surface, contact)?;
     let axis = frame.x() * pole.x + frame.y() * pole.y + frame.z() * pole.z;
-    about(frame.origin(), axis, radius, is_outward)
+    let straight = Frame::from_normal(frame.origin(), axis, None).ok()?;
+    let (sine, cosine) = libm::sincos(SEAM_TURN);
+    let x = straight.x() * cosine + straight.y() * sine;
+    about(Frame::from_normal(frame.origin(), axis, Some(x)).ok()?, radius, is_outward)
 }
 
-fn about(center: DVec3, axis: DVec3, radius: f64, is_outward: bool) -> Option<NurbsSurface> {
-    let frame = Frame::from_normal(center, axis, None).ok()?;
+fn about(frame: Frame, radius: f64, is_outward: bool) -> Option<NurbsSurface> {
     let sphere = NurbsSurface::sphere(frame, radius).ok()?;
     Some(if is_outward { sphere } else { sphere.swapped() })
 }

@@ -38,6 +38,9 @@ use crate::{
 /// contact.
 const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 
+/// Roundings up to which surfaces are one along a line on which they touch.
+const CONTACT_ROUNDINGS: f64 = 8.0;
+
 /// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
 const FAR_ASIDE: f64 = 64.0;
 
@@ -85,7 +88,9 @@ impl Surface {
                     (refused, None) => Err(refused.into()),
                 }
             }
-            found => found,
+            found => {
+                found.map(|found| surfaces[0].with_exact_contacts(&surfaces[1], found, tolerance))
+            }
         }
     }
 }
@@ -97,14 +102,18 @@ fn searched(
     size: f64,
 ) -> Result<LevelSet, GeomError> {
     let elsewhere = with_seams_elsewhere(surfaces, CONTACT_SHARE * tolerance);
-    // What both have along a seam of both is no edge of either.
-    let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], tolerance)?)
+    // What both have along a seam of both is no edge of either, and perhaps none of both along a seam of one.
+    let common = EdgeOverlap::all([&surfaces[0], &surfaces[1]], tolerance)?;
+    let as_given = (!have_seam_in_common([&surfaces[0], &surfaces[1]], &common, tolerance))
         .then(|| Ok(surfaces.clone()));
+    let has_inner =
+        common.iter().any(|edge| edge.n_inside([&surfaces[0], &surfaces[1]], tolerance) == 1);
     let mut best: Option<Result<LevelSet, GeomError>> = None;
     let [a, b] = [&surfaces[0], &surfaces[1]];
     for surfaces in as_given.into_iter().chain(elsewhere) {
         let found = shared(surfaces?, tolerance, size);
-        if verify::is_certain(&found, tolerance) {
+        let is_seam_in_doubt = has_inner && matches!(found, Err(GeomError::Picture(_)));
+        if !is_seam_in_doubt && verify::is_certain(&found, tolerance) {
             return found.map(|found| a.with_exact_curves(b, found, tolerance));
         }
         best = Some(match best {
@@ -136,11 +145,29 @@ impl NurbsSurface {
     }
 }
 
-/// Whether surfaces that share no area about it have a seam in common.
-fn have_seam_in_common(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Result<bool, GeomError> {
-    let common = EdgeOverlap::all(surfaces, tolerance)?;
-    Ok(common.iter().all(|edge| edge.overlap(surfaces, tolerance).is_none())
-        && common.iter().any(|edge| edge.is_inside_both(surfaces, tolerance)))
+impl NurbsSurface {
+    /// What it shares with another surface, the lines along which they touch as exact circles where both turn about
+    /// one axis.
+    fn with_exact_contacts(&self, other: &Self, mut found: LevelSet, tolerance: f64) -> LevelSet {
+        if found.contacts.is_empty() {
+            return found;
+        }
+        let circles = self.coaxial_circles(other, tolerance);
+        if let Some(circles) = circles.filter(|circles| circles.len() == found.curves.len()) {
+            found.curves = circles;
+        }
+        found
+    }
+}
+
+/// Whether surfaces that share no area about edges that they have in common have a seam among these.
+fn have_seam_in_common(
+    surfaces: [&NurbsSurface; 2],
+    common: &[EdgeOverlap],
+    tolerance: f64,
+) -> bool {
+    common.iter().all(|edge| edge.overlap(surfaces, tolerance).is_none())
+        && common.iter().any(|edge| edge.n_inside(surfaces, tolerance) == 2)
 }
 
 /// What two surfaces share that are no functions.
@@ -149,16 +176,24 @@ fn shared(
     tolerance: f64,
     size: f64,
 ) -> Result<LevelSet, GeomError> {
-    let [a, b] = sphere::with_poles_aside(surfaces, CONTACT_SHARE * tolerance);
+    let [a, b] = sphere::with_poles_aside(surfaces, CONTACT_SHARE * tolerance, tolerance);
     let seams = EdgeOverlap::all([&a, &b], tolerance)?;
     if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
         return Err(PictureError::SurfacesRunTogether { point }.into());
     }
     let (crossing, found) = found([&a, &b], &seams, tolerance, size)?;
-    let SharedParts { clear, mut ends, touches, lines, .. } = found;
+    let SharedParts { clear, mut ends, touches, lines, gaps, loops, .. } = found;
+    let middle = |run: &BranchSamples| run.samples[run.samples.len() / 2].point;
+    let is_on_seam =
+        |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
+    // Where they reach through one another by more than rounding, they cross beside the line.
+    let touches_only = |gap: f64| gap <= CONTACT_ROUNDINGS * crossing.rounding;
+    let middles = lines.iter().map(middle).zip(gaps);
+    let (contacts, uncertain): (Vec<_>, Vec<_>) = middles.partition(|&(_, gap)| touches_only(gap));
+    let [mut contacts, mut uncertain] = [contacts, uncertain]
+        .map(|told| told.into_iter().map(|(point, _)| point).collect::<Vec<DVec3>>());
     let mut runs = lines;
-    let mut uncertain: Vec<DVec3> =
-        runs.iter().map(|run| run.samples[run.samples.len() / 2].point).collect();
+    runs.extend(loops);
     branches(&crossing, &ends, &mut runs);
     arcs(&crossing, clear, &ends, &mut runs)?;
     // Where the surfaces are that near all over, a loop is no more than a touch.
@@ -169,6 +204,11 @@ fn shared(
     let around_poles = poles((crossing.contact * crossing.size).sqrt());
     let near: Vec<VanishingPlace> = ends.spots.iter().copied().chain(around_poles).collect();
     runs.retain(|run| !near.iter().any(|spot| run.is_within(spot)));
+    runs.iter_mut().for_each(|run| {
+        reach_seam(run, ends.spots.iter().filter(|spot| is_on_seam(&spot.point)));
+    });
+    // A border of both is told as the seam that it is.
+    runs.retain(|run| !run.samples.iter().all(|sample| is_on_seam(&sample.point)));
     let met = |spot: &VanishingPlace| is_met(spot, &runs, crossing.tolerance);
     uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
     // A spot in the middle of a curve is no touch in a point.
@@ -186,12 +226,27 @@ fn shared(
     let curves: Result<Vec<NurbsCurve>, GeomError> =
         seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
     let curves = verify::without_crumbs(curves?, tolerance);
-    let is_on_seam =
-        |point: &DVec3| seams.iter().any(|seam| seam.holds(*point, crossing.tolerance));
     let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+    contacts.retain(|point| !is_on_seam(point));
     uncertain.retain(|point| !is_on_seam(point));
     verify::verify(&curves, &CurveOrigin::Surfaces([&a, &b]), tolerance)?;
-    Ok(LevelSet { curves, touches, uncertain })
+    Ok(LevelSet { curves, touches, contacts, uncertain })
+}
+
+/// Leads the ends of a curve that are in a spot to the spot's own place: on a border that both surfaces have, where
+/// nothing else leads them there.
+fn reach_seam<'s>(run: &mut BranchSamples, spots: impl Iterator<Item = &'s VanishingPlace>) {
+    for spot in spots.filter(|spot| spot.is_exact) {
+        let ends = [run.samples.first(), run.samples.last()].map(|end| end.copied());
+        for (end, sample) in ends.into_iter().enumerate() {
+            let Some(sample) = sample else { continue };
+            let away = sample.point.distance(spot.point);
+            if 0.0 < away && away <= spot.radius {
+                let place = if end == 0 { 0 } else { run.samples.len() };
+                run.samples.insert(place, BranchSample { point: spot.point, ..sample });
+            }
+        }
+    }
 }
 
 /// How many curves end in a spot.

@@ -6,9 +6,9 @@ use super::{
     SAMPLING,
     branch_sample::{BranchSample, length_between},
     cubic::CubicSegment,
+    parallel_pair::{ParallelPair, ParameterRegion},
     sample::{BranchSamples, MOST_TURN},
     surface_pair::SurfacePair,
-    tangential_contact::{ParallelPair, ParameterRegion},
 };
 use crate::{
     ceiling::{BISECTIONS, CONTACT_PLACES},

@@ -9,18 +9,20 @@
 //! Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999), §5;
 //! Patrikalakis & Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §6.
 
-use glam::{DMat2, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
-use super::surface_pair::{PairParameters, SurfacePair, within};
+use super::{
+    parallel_pair::{ParallelPair, ParameterRegion},
+    surface_pair::{PairParameters, SurfacePair, within},
+};
 use crate::{
-    NurbsSurface,
+    Bounds, NurbsSurface,
     ceiling::{NEWTON_STEPS, STEP_SHORTENINGS, SURFACE_FOOT_STEPS},
     frame::unit,
     numeric::newton::{FREE, NewtonResult, NewtonStep, within_limits},
     numeric::symmetric_eigen::eigen_of_two,
     tolerance::{
         AREA_REACH, BEND_RELATIVE, CONTACT_SHARE, LAST_BIT, LEAST_STEP_SHARE, PLACE_RELATIVE,
-        SIGN_RELATIVE,
     },
 };
 
@@ -35,30 +37,13 @@ const N_LOOKS: u32 = 16;
 const LEAST_REACH: f64 = 4.0;
 const MOST_REACH: f64 = 0.25;
 
+/// How much of what is known about a place a closed curve about it may take, and by which factor it may
+/// be larger than second derivatives tell.
+const LOOP_REACH: f64 = 0.4;
+pub(super) const LOOP_SLACK: f64 = 1.25;
+
 /// Directions next to one another, of those looked at, that are an area and no line.
 const AREA_LOOKS: usize = 3;
-
-/// Both surfaces about parameters where they are nearly parallel.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct ParallelPair {
-    pub(super) at: [f64; 4],
-    pub(super) point: DVec3,
-    /// Two axes in the tangent plane of the first, and its normal.
-    axes: [DVec3; 3],
-    /// From the point of the first to that of the second: in the plane, and over it.
-    apart: DVec2,
-    pub(super) rise: f64,
-    /// How the second climbs over the plane, and whether it has the same side up.
-    slope: DVec2,
-    is_alike: bool,
-    /// Steps in the parameters by steps in the plane.
-    maps: [DMat2; 2],
-    /// Second derivatives of the height of the second, and of the difference.
-    bend: DMat2,
-    difference: DMat2,
-    /// How fast the parameters lead through space.
-    speeds: [f64; 4],
-}
 
 /// What two surfaces share about a place where they touch.
 #[derive(Clone, Debug)]
@@ -67,19 +52,21 @@ pub(super) enum TangentialContact {
     Area,
     /// That place alone, as far as `ParameterRegion` goes.
     Point(ParameterRegion),
+    /// A small closed curve about that place.
+    Loop(Box<LoopAround>),
     /// Branches that cross.
     Branches(Box<BranchCrossing>),
     /// Perhaps a line along which they touch.
     Line,
 }
 
-/// Parameters of both surfaces about a place, within which all is known that they share.
+/// A closed curve about a place where the surfaces are nearly parallel, and all that they share there.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ParameterRegion {
-    pub(super) at: [f64; 4],
-    pub(super) point: DVec3,
-    pub(super) radius: f64,
-    widths: [f64; 4],
+pub(super) struct LoopAround {
+    pub(super) reach: ParameterRegion,
+    /// Parameters beside a place of the curve, and how far that is from the one that it goes around.
+    pub(super) start: [f64; 4],
+    pub(super) half_axis: f64,
 }
 
 /// A place where two branches cross.
@@ -96,15 +83,6 @@ pub(super) struct BranchDirection {
     pub(super) place: PairParameters,
     /// Whether it leads out along this tangent, 1, or against it, −1.
     pub(super) sign: f64,
-}
-
-impl ParameterRegion {
-    /// Whether parameters between these are within, on both surfaces.
-    pub(super) fn holds(&self, low: [f64; 4], high: [f64; 4]) -> bool {
-        (0..4).all(|i| {
-            self.at[i] - self.widths[i] <= low[i] && high[i] <= self.at[i] + self.widths[i]
-        })
-    }
 }
 
 /// Poles and corners of either surface that are on the other one too, where both have one tangent
@@ -130,111 +108,6 @@ pub(super) fn poles(surfaces: [&NurbsSurface; 2], tolerance: f64) -> Vec<DVec3> 
         }
     }
     ends.into_iter().filter(|&end| touch(end)).collect()
-}
-
-/// A surface over a plane.
-struct HeightField {
-    point: DVec3,
-    map: DMat2,
-    slope: DVec2,
-    bend: DMat2,
-    speeds: [f64; 2],
-    normal: DVec3,
-}
-
-impl HeightField {
-    fn new([point, u, v, uu, uv, vv]: [DVec3; 6], [x, y, z]: [DVec3; 3]) -> Option<Self> {
-        let flat = |vector: DVec3| DVec2::new(vector.dot(x), vector.dot(y));
-        let map = DMat2::from_cols(flat(u), flat(v)).inverse();
-        let slope = map.transpose() * DVec2::new(u.dot(z), v.dot(z));
-        let upward = z - x * slope.x - y * slope.y;
-        let [uu, uv, vv] = [uu, uv, vv].map(|second| second.dot(upward));
-        let second = DMat2::from_cols(DVec2::new(uu, uv), DVec2::new(uv, vv));
-        let bend = map.transpose() * second * map;
-        let normal = unit(u.cross(v))?;
-        let height = Self { point, map, slope, bend, speeds: [u.length(), v.length()], normal };
-        (map.is_finite() && bend.is_finite()).then_some(height)
-    }
-}
-
-impl ParallelPair {
-    /// `None` where a surface has no normal, or the normals are far from parallel.
-    pub(super) fn new(crossing: &SurfacePair<'_>, at: [f64; 4]) -> Option<Self> {
-        let [first, second] =
-            [0, 1].map(|i| crossing.surfaces[i].second_order_at(at[2 * i], at[2 * i + 1]));
-        let normal = unit(first[1].cross(first[2]))?;
-        let x = unit(first[1])?;
-        let axes = [x, normal.cross(x), normal];
-        let (a, b) = (HeightField::new(first, axes)?, HeightField::new(second, axes)?);
-        let facing = b.normal.dot(normal);
-        let way = b.point - a.point;
-        let seen = Self {
-            at,
-            point: a.point.midpoint(b.point),
-            axes,
-            apart: DVec2::new(way.dot(axes[0]), way.dot(axes[1])),
-            rise: way.dot(normal),
-            slope: b.slope,
-            is_alike: 0.0 < facing,
-            maps: [a.map, b.map],
-            bend: b.bend,
-            difference: a.bend - b.bend,
-            speeds: [a.speeds[0], a.speeds[1], b.speeds[0], b.speeds[1]],
-        };
-        (0.5 <= facing.abs()).then_some(seen)
-    }
-
-    /// The step in the plane to where the slope of e vanishes, but not along a line of zeros; none
-    /// where surfaces of that size bend alike.
-    fn step(&self, size: f64) -> DVec2 {
-        let right = self.slope - self.bend * self.apart;
-        let [(weak, along), (strong, across)] = eigen_of_two(self.difference);
-        let bend = self.bend.x_axis.abs().max_element().max(self.bend.y_axis.abs().max_element());
-        let rounding = SIGN_RELATIVE * (bend + 1.0 / size);
-        let part = |value: f64, axis: DVec2| match value.abs() <= rounding {
-            true => DVec2::ZERO,
-            false => axis * (axis.dot(right) / value),
-        };
-        let rest = if weak.abs() <= BEND_RELATIVE * strong.abs() { 0.0 } else { 1.0 };
-        part(strong, across) + rest * part(weak, along)
-    }
-
-    fn in_space(&self, step: DVec2) -> DVec3 {
-        self.axes[0] * step.x + self.axes[1] * step.y
-    }
-
-    /// The parameters a step further, each surface by its own.
-    fn moved(&self, first: DVec2, second: DVec2) -> [f64; 4] {
-        let steps = self.steps(first, second);
-        std::array::from_fn(|i| self.at[i] + steps[i])
-    }
-
-    /// The parameters' steps there.
-    fn steps(&self, first: DVec2, second: DVec2) -> [f64; 4] {
-        let [a, b] = [self.maps[0] * first, self.maps[1] * second];
-        [a.x, a.y, b.x, b.y]
-    }
-
-    /// The direction in which e bends least.
-    pub(super) fn along(&self) -> DVec3 {
-        self.in_space(eigen_of_two(self.difference)[0].1)
-    }
-
-    /// How much it bends across that.
-    pub(super) fn strongest(&self) -> f64 {
-        eigen_of_two(self.difference)[1].0.abs()
-    }
-
-    /// The parameters that lead a way through space further.
-    pub(super) fn ahead(&self, way: DVec3) -> [f64; 4] {
-        let step = DVec2::new(way.dot(self.axes[0]), way.dot(self.axes[1]));
-        self.moved(step, step)
-    }
-
-    pub(super) fn reach(&self, radius: f64) -> ParameterRegion {
-        let widths = self.speeds.map(|speed| 0.5 * radius / speed);
-        ParameterRegion { at: self.at, point: self.point, radius, widths }
-    }
 }
 
 impl SurfacePair<'_> {
@@ -267,6 +140,18 @@ impl SurfacePair<'_> {
         seen.rise.abs() <= self.contact
     }
 
+    /// Whether the surfaces reach through one another in a small closed curve about it.
+    pub(super) fn may_loop_about(&self, seen: &ParallelPair) -> bool {
+        seen.rise.abs() <= self.tolerance && self.tolerance < half_axis(seen)
+    }
+
+    /// A place of a box that a small closed curve goes around or passes, so that it is no touch in a point.
+    pub(super) fn loop_beside(&self, seen: &ParallelPair, around: Bounds) -> Option<DVec3> {
+        let reach = LOOP_SLACK * half_axis(seen);
+        let is_loop = self.may_loop_about(seen) && around.contains(seen.point, reach);
+        is_loop.then_some(seen.point)
+    }
+
     /// What a contact is; `None` where that cannot be told from second derivatives.
     pub(super) fn contact(&self, seen: &ParallelPair) -> Option<TangentialContact> {
         let [(weak, along), (strong, across)] = eigen_of_two(seen.difference);
@@ -283,7 +168,16 @@ impl SurfacePair<'_> {
         }
         let reach = seen.reach(self.radius(seen, weak.abs(), widest)?);
         if 0.0 < weak * strong {
-            return Some(TangentialContact::Point(reach));
+            let half_axis = half_axis(seen);
+            if half_axis <= self.tolerance {
+                return Some(TangentialContact::Point(reach));
+            }
+            let start = seen.moved(along * half_axis, along * half_axis - seen.apart);
+            let is_held = half_axis <= LOOP_REACH * reach.radius
+                && circle(LOOP_SLACK * half_axis)
+                    .all(|step| self.is_inside(seen.moved(step, step - seen.apart)));
+            let around = LoopAround { reach, start, half_axis };
+            return is_held.then(|| TangentialContact::Loop(Box::new(around)));
         }
         let [a, b] = [across * weak.abs().sqrt(), along * strong.abs().sqrt()];
         let way = |direction: DVec2| {
@@ -306,7 +200,7 @@ impl SurfacePair<'_> {
         let is_so = |radius: f64| {
             let steps = circle(radius).chain(circle(0.5 * radius));
             steps.filter_map(|step| self.difference_inside(seen, step)).all(|(place, height)| {
-                let told = 0.5 * place.dot(seen.difference * place);
+                let told = 0.5 * place.dot(seen.difference * place) - seen.rise;
                 (height - told).abs() <= MODEL_SLACK * 0.5 * scale * place.length_squared()
             })
         };
@@ -382,6 +276,13 @@ impl SurfacePair<'_> {
             NewtonResult::Stuck(_) => None,
         }
     }
+}
+
+/// The longer half axis of the ellipse in which −rise + x·Dx/2 vanishes; nothing where that is no ellipse.
+fn half_axis(seen: &ParallelPair) -> f64 {
+    let [(weak, _), (strong, _)] = eigen_of_two(seen.difference);
+    let is_definite = BEND_RELATIVE * strong.abs() < weak.abs() && 0.0 < weak * strong;
+    if is_definite { (2.0 * seen.rise / weak).max(0.0).sqrt() } else { 0.0 }
 }
 
 /// Steps in the plane that lead around a contact.

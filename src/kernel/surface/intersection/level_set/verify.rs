@@ -91,6 +91,7 @@ pub(super) fn is_certain(found: &Result<LevelSet, GeomError>, tolerance: f64) ->
             PictureError::OffSurface { .. }
                 | PictureError::ToldTwice { .. }
                 | PictureError::EndsInside { .. }
+                | PictureError::SmallLoop { .. }
         ),
         Err(_) => true,
     }
