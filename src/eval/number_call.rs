@@ -45,8 +45,13 @@ pub(super) fn numbers_with_derivatives(call: &Call) -> Vec<Real> {
 pub(super) fn switch(asked: &[Real], value: &Value, span: Span) -> Option<Switch> {
     match value {
         Value::Number(number) => {
+            let is_own = |real: &Real| matches!(real, Real::Plain(own) if *own == number.value);
+            if let Some(chosen) = asked.iter().position(is_own) {
+                return Some(Switch { span, state: (chosen + 1) as f64, margin: None });
+            }
+            // A zero without its sign.
             let margin = asked.first().cloned()?;
-            Some(Switch { span, state: number.value, margin: Some(margin) })
+            Some(Switch { span, state: number.value + 0.0, margin: Some(margin) })
         }
         Value::Jet(number) => {
             let own = |real: &Real| *real == number.value || real.scaled(-1.0) == number.value;

@@ -14,3 +14,6 @@ check gradient(k => integrate(x => 1 / sqrt(x), 0..k), 0.4) ~= 1 / sqrt(0.4) wit
 check gradient(k => integrate(x => ln(x), 0..k), 0.4) ~= ln(0.4) within 1e-9
 check gradient(k => integrate(x => ln(x - 0.1), 0.1..k), 0.4) ~= ln(0.3) within 1e-9
 check gradient(k => integrate(x => k / sqrt(x), 0..1), 0.4) ~= 2 within 1e-9
+// What comes to nothing at the end as well.
+check gradient(k => integrate(x => k * abs(x), 0..1), 2) ~= 0.5 within 1e-12
+check gradient(k => integrate(x => k * abs(sin(x)), 0..pi), 2) ~= 2 within 1e-12

@@ -34,3 +34,11 @@ fn rebound(v) = {
 }
 check ball(0.5) ~= rebound(0.5) within 1e-8
 check gradient(ball, 0.5) ~= gradient(rebound, 0.5) within 1e-7
+// What is continuous, whatever decides it.
+check gradient(k => ode((t, p) => (max(t, k), 0), start = (0, 0), range = 0..1, tolerance = 1e-9).end.x, 0.3) ~= 0.3 within 1e-8
+check gradient(k => ode((t, p) => (min(t, k), 0), start = (0, 0), range = 0..1, tolerance = 1e-9).end.x, 0.3) ~= 0.7 within 1e-8
+check gradient(k => ode((t, p) => (abs(t - k), 0), start = (0, 0), range = 0..1, tolerance = 1e-9).end.x, 0.3) ~= -0.4 within 1e-8
+check gradient(k => ode((t, p) => (max(k - t, 0), 0), start = (0, 0), range = 0..1, tolerance = 1e-9).end.x, 0.5) ~= 0.5 within 1e-8
+// Jumps of `ceil`, which is -0 before 0, and of `sign`, which is 0 at one number.
+check gradient(k => ode((t, p) => (ceil(t - k), 0), start = (0, 0), range = 0..3, tolerance = 1e-9).end.x, 0.5) ~= -3 within 1e-8
+check gradient(k => ode((t, p) => (sign(t - k), 0), start = (0, 0), range = 0..1, tolerance = 1e-9).end.x, 0.5) ~= -2 within 1e-8

@@ -64,6 +64,8 @@ impl Solid {
         for edge in &topology.edges_between_faces(tolerance)? {
             edge.vertices.into_iter().for_each(|end| is_end[end] = true);
             lengths.push(edge.curve.length(edge.curve.domain()));
+        }
+        for edge in topology.edges.iter().filter(|edge| !edge.is_seam()) {
             let own = self.edge_deviation(edge, tolerance);
             deviation = deviation.zip(own).map(|(known, own)| known.max(own));
             let sharpest = edge.angles(&self.faces).map(EdgeAngles::sharpest);

@@ -153,6 +153,11 @@ impl SolidTopology {
         }
         let curves: Vec<NurbsCurve> = edges.iter().map(|edge| edge.curve.clone()).collect();
         let curve = join(&curves, 4.0 * tolerance.distance_for(size))?;
+        if first.faces[1] < first.faces[0] {
+            let ([one, other], [start, end]) = (first.faces, [first.vertices[0], last.vertices[1]]);
+            let (vertices, faces) = ([end, start], [other, one]);
+            return Ok(SolidEdge { curve: curve.reversed(), vertices, faces });
+        }
         Ok(SolidEdge { curve, vertices: [first.vertices[0], last.vertices[1]], faces: first.faces })
     }
 }

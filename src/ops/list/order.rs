@@ -73,7 +73,7 @@ pub(super) fn extreme_index(
 ///
 /// # Errors
 /// Such ones.
-pub(super) fn check_tie(a: &Value, b: &Value, span: Span) -> Result<()> {
+fn check_tie(a: &Value, b: &Value, span: Span) -> Result<()> {
     if !(a.is_jet() || b.is_jet()) || ordering(a, b) != Some(Ordering::Equal) {
         return Ok(());
     }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::order::{check_tie, ordering, sort_keys};
+use super::order::{ordering, sort_keys};
 use crate::{
     diag::{Result, Spanned},
     value::{Callback, Ctx, List, Value, op},
@@ -28,7 +28,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     let items = &args.list.value;
     let mut places: Vec<usize> = (0..items.len()).collect();
     places.sort_by(|&a, &b| ordering(&keys[a], &keys[b]).unwrap_or(Ordering::Equal));
-    let mut neighbours = places.windows(2);
-    neighbours.try_for_each(|pair| check_tie(&keys[pair[0]], &keys[pair[1]], args.list.span))?;
     Ok(places.into_iter().map(|place| items[place].clone()).collect())
 }

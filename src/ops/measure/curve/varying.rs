@@ -240,14 +240,6 @@ pub(super) fn closest(curve: &RealCurve, p: &Vector, t: f64) -> Measured<Real> {
         let slope = d[0].minus(p).dot(&d[1]).like(like);
         found = found.minus(&slope.scaled(1.0 / bend)).with_value(t);
     }
-    // On the end itself it stays there on one side, and goes into the curve on the other.
-    let is_on_end = (t <= domain.start() || domain.end() <= t) && !curve.is_closed(0.0);
-    let away = curve.series_beside(&like.same(t), Side::Right, 0)?.remove(0).minus(p);
-    let motion = largest_slope(away.coordinates().iter().map(|part| part.like(like)));
-    let along = speed * largest_slope([found.clone()].into_iter());
-    if is_on_end && LAST_BIT.sqrt() * motion < along {
-        return Err(no_nearest(t));
-    }
     Ok(Real::Jet(found))
 }
 

@@ -5,7 +5,6 @@ mod found;
 mod integrand;
 mod moving_cuts;
 mod moving_range;
-mod range_end;
 mod strips;
 
 use domain::{Domain, domains};

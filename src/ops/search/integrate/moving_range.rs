@@ -4,10 +4,9 @@ use super::{
     super::SearchRange,
     found::{Found, Tolerances, nested},
     integrand::{IntegralRange, Integrand, settled},
-    range_end::RangeLimit,
 };
 use crate::{
-    diag::{Code, Result, Span, Spanned},
+    diag::{Code, Result, Spanned},
     kernel::{Jet, ceiling::INTEGRAL_LOOKS, jet::moved_end},
     value::{IntoValue, Number, Range, Real, Value},
 };
@@ -118,36 +117,11 @@ pub(super) fn over_box(
         total.value.iter_mut().for_each(|part| *part = -*part);
     }
     let Some(like) = integrand.carried().cloned() else { return Ok(total) };
-    let span = integrand.span();
-    let gain = gain_of_ends(first, is_still, (&like, span), |at| ask(integrand, at))?;
-    Ok(total.plus(gain))
-}
-
-/// What an integral gains as the ends of its range move.
-fn gain_of_ends(
-    range: &MovingRange,
-    is_still: bool,
-    (like, span): (&Jet, Span),
-    mut ask: impl FnMut(Real) -> Result<Found>,
-) -> Result<Found> {
-    let ([low, high], width) = (range.range.ends, like.coefficients().len());
-    let is_backwards = range.ends[1].value() < range.ends[0].value();
-    let beside = low.abs().max(high.abs());
-    let mut total = Found::default();
-    for ((end, sign), is_start) in range.ends.iter().zip([-1.0, 1.0]).zip([true, false]) {
-        if is_still && matches!(end, Real::Plain(_)) {
-            continue;
-        }
-        let inward = match () {
-            () if high <= low => 0.0,
-            () if is_start != is_backwards => 1.0,
-            () => -1.0,
-        };
-        let limit = RangeLimit { end, inward, spacing: beside.next_up() - beside };
-        let place = limit.place((like, span), &mut ask)?;
+    let width = like.coefficients().len();
+    for (end, sign) in first.ends.iter().zip([-1.0, 1.0]) {
         let Real::Jet(end) = end else { continue };
-        let gain = moved_end(&end.clone().with_value(place), |at| -> Result<Vec<Jet>> {
-            let flat = ask(Real::Jet(at.clone()))?.value;
+        let gain = moved_end(end, |at| -> Result<Vec<Jet>> {
+            let flat = ask(integrand, Real::Jet(at.clone()))?.value;
             Ok(flat.chunks(width).map(|part| like.with_coefficients(part)).collect())
         })?;
         let flat = gain.iter().flat_map(|part| part.scaled(sign).coefficients().to_vec());

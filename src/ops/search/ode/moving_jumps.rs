@@ -60,13 +60,16 @@ pub(super) struct ScriptRate<'a, 'c> {
     /// Which way the function went where the branch began, and where that is.
     way: Vec<Switch>,
     since: f64,
+    /// The largest rate of which it was told.
+    largest: f64,
     /// The shape of derivatives that it told without being given any.
     pub(super) seen: Option<Jet>,
 }
 
 impl<'a, 'c> ScriptRate<'a, 'c> {
     pub(super) fn new(ctx: &'a mut Ctx<'c>, search: &'a Search<'a>, state: &'a State) -> Self {
-        Self { ctx, search, state, way: Vec::new(), since: search.range.ends[0], seen: None }
+        let since = search.range.ends[0];
+        Self { ctx, search, state, way: Vec::new(), since, largest: 0.0, seen: None }
     }
 
     fn asked(&mut self, place: f64, parts: &[f64]) -> Result<Asked> {
@@ -83,7 +86,10 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
                 Real::Plain(_) => None,
             });
         }
-        Ok(Asked { rate: self.state.flat(&found), way })
+        let rate = self.state.flat(&found);
+        let own = rate.iter().take(self.state.n_numbers());
+        self.largest = own.fold(self.largest, |most, part| most.max(part.abs()));
+        Ok(Asked { rate, way })
     }
 
     /// Between which widths behind the end of a branch the function goes another way first, neighbouring numbers; none if
@@ -97,6 +103,7 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         if is_like(&inside.asked.way, &outside.asked.way) {
             return Ok(None);
         }
+        let beyond = outside.asked.way.clone();
         for _ in 0..HALVINGS {
             let (from, length) = (inside.width, outside.width - inside.width);
             let places = SHARES.map(|share| from + share * length).into_iter();
@@ -107,17 +114,25 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
             let is_inside = is_like(&found.asked.way, &inside.asked.way);
             *(if is_inside { &mut inside } else { &mut outside }) = found;
         }
+        // A way that is gone at one number alone, as by `sign` at 0, lies between the two others.
+        let at = end.place + outside.width;
+        let next = if 0.0 < width { at.next_up() } else { at.next_down() };
+        if let Ok(found) = beside(next - end.place)
+            && !is_like(&found.asked.way, &outside.asked.way)
+            && !is_like(&found.asked.way, &inside.asked.way)
+            && is_like(&found.asked.way, &beyond)
+        {
+            outside = found;
+        }
         Ok(Some([inside, outside]))
     }
 
     /// By how much the rate falls from one side to the other; none where it goes on.
     fn jump(&self, [before, behind]: [&Asked; 2]) -> Option<Vec<f64>> {
         let n = self.state.n_numbers();
-        let size = before.rate[..n].iter().chain(&behind.rate[..n]);
-        let size = size.fold(0.0, |most: f64, part| most.max(part.abs()));
         let jump: Vec<f64> =
             before.rate.iter().zip(&behind.rate).take(n).map(|(a, b)| a - b).collect();
-        jump.iter().any(|part| SWITCH_ALIKE_RELATIVE * size < part.abs()).then_some(jump)
+        jump.iter().any(|part| SWITCH_ALIKE_RELATIVE * self.largest < part.abs()).then_some(jump)
     }
 
     /// How the place moves with each variable at which the function goes over from one way to the other.

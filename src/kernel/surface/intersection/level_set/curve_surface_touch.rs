@@ -116,7 +116,13 @@ impl PiercingSearch<'_> {
         crossings: Vec<CurveSurfaceIntersection>,
         touches: Vec<NearPlace>,
     ) -> Vec<CurveSurfaceIntersection> {
-        let on_surface = crossings.into_iter().map(|place| NearPlace { place, height: 0.0 });
+        // At a pole or a border a search may stop beside a crossing.
+        let on_surface = crossings.into_iter().map(|place| {
+            let on_surface = self.surface.point_at(place.uv[0], place.uv[1]);
+            let apart = self.curve.point_at(place.t).distance(on_surface);
+            let height = if apart <= FLOOR_ROUNDINGS * self.rounding { 0.0 } else { apart };
+            NearPlace { place, height }
+        });
         let mut places: Vec<NearPlace> = on_surface.chain(touches).collect();
         sort_by(&mut places, |a, b| a.place.t.total_cmp(&b.place.t));
         let is_one = |a: &NearPlace, b: &NearPlace| {

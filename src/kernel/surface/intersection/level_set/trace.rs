@@ -24,10 +24,10 @@ impl SurfacePair<'_> {
     /// The whole curve through a place: to the ends of the domains, to where it meets others, or
     /// around.
     pub(super) fn run(&self, start: PairParameters, ends: &CurveEnds) -> BranchSamples {
-        let (ahead, is_closed) = self.half(start, 1.0, ends);
+        let (ahead, is_closed) = self.half(self.beside_crease(start, 1.0), 1.0, ends);
         let mut places = Vec::new();
         if !is_closed {
-            places = self.half(start, -1.0, ends).0;
+            places = self.half(self.beside_crease(start, -1.0), -1.0, ends).0;
             places.reverse();
             places.push(self.beside_crease(start, -1.0));
         }
@@ -39,7 +39,7 @@ impl SurfacePair<'_> {
     /// The curve along a branch out of a junction.
     pub(super) fn run_out(&self, way: BranchDirection, ends: &CurveEnds) -> BranchSamples {
         let (mut places, _) = self.half(way.place, way.sign, ends);
-        places.insert(0, self.beside_crease(way.place, way.sign));
+        places.insert(0, way.place);
         if way.sign < 0.0 {
             places.reverse();
         }
@@ -54,7 +54,7 @@ impl SurfacePair<'_> {
         ends: &CurveEnds,
     ) -> (Vec<PairParameters>, bool) {
         let mut places: Vec<PairParameters> = Vec::new();
-        let mut last = self.beside_crease(start, sign);
+        let mut last = start;
         let mut step = FIRST_STEP_SHARE * self.size;
         while places.len() < TRACE_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
             if let Some(junction) = ends.junction_ahead(last, sign) {
@@ -82,7 +82,7 @@ impl SurfacePair<'_> {
             let back = (start.point - last.point).dot(last.tangent * sign);
             if !places.is_empty()
                 && 0.0 < back
-                && back <= reached
+                && back <= reached + self.rounding
                 && self.cubic(last, next, sign).misses_near(start.point, back / reached)
                     <= self.tolerance
                 && 0.0 < next.tangent.dot(start.tangent)
