@@ -135,12 +135,6 @@ impl Report {
         Some(self.held(defined.value.clone()?))
     }
 
-    /// A value of this run, such as one that it printed, with what it needs to answer.
-    #[must_use]
-    pub fn held(&self, value: Value) -> HeldValue {
-        HeldValue { value, kept: self.kept.clone() }
-    }
-
     /// How many findings are of a severity.
     #[must_use]
     pub fn count(&self, severity: Severity) -> usize {

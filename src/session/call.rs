@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{HeldValue, Session};
+use super::{HeldValue, Report, Session};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
     eval::{self, KeptGlobals},
@@ -18,6 +18,14 @@ pub struct Arguments {
     pub positional: Vec<HeldValue>,
     /// Those with one.
     pub named: Vec<(String, HeldValue)>,
+}
+
+impl Report {
+    /// A value of this run, such as one that it printed, with what it needs to answer.
+    #[must_use]
+    pub fn held(&self, value: Value) -> HeldValue {
+        HeldValue { value, kept: self.kept.clone() }
+    }
 }
 
 impl Session {

@@ -280,30 +280,6 @@ impl Op {
         self.docs.split("\n\n").next().unwrap_or_default().trim()
     }
 
-    /// Whether its first argument can be such a value, or where it is a list without its brackets, its first element.
-    #[must_use]
-    pub fn takes_first(&self, value: &Value) -> bool {
-        self.params.first().is_some_and(|param| {
-            let element = match param.ty {
-                Type::List(of, _) if param.spreads => of.accepts(value),
-                _ => false,
-            };
-            element || param.ty.accepts(value)
-        })
-    }
-
-    /// Whether it has a place for so many arguments by position and for those with these labels.
-    #[must_use]
-    pub fn has_places<'l>(
-        &self,
-        n_positional: usize,
-        mut labels: impl Iterator<Item = &'l str>,
-    ) -> bool {
-        let by_position = |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
-        n_positional <= self.params.iter().filter(by_position).count()
-            && labels.all(|label| self.params.iter().any(|param| param.name == label))
-    }
-
     /// Whether its first argument can neither be such a value nor a list of such.
     #[must_use]
     pub fn is_foreign_to(&self, value: &Value) -> bool {

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use super::{Call, Op, Value};
+use super::{Call, Op, OpParameter, Type, Value};
 
 /// Operations by name. The evaluator, the help, the completion and the reference read this and
 /// nothing else. One name may have several operations, told apart by their first argument.
@@ -77,6 +77,32 @@ impl FromIterator<&'static Op> for Registry {
         }
         let by_name = lists.into_iter().map(|(name, ops)| (name, Arc::from(ops))).collect();
         Self { by_name, constants: &[] }
+    }
+}
+
+impl Op {
+    /// Whether its first argument can be such a value, or where it is a list without its brackets, its first element.
+    #[must_use]
+    pub fn takes_first(&self, value: &Value) -> bool {
+        self.params.first().is_some_and(|param| {
+            let element = match param.ty {
+                Type::List(of, _) if param.spreads => of.accepts(value),
+                _ => false,
+            };
+            element || param.ty.accepts(value)
+        })
+    }
+
+    /// Whether it has a place for so many arguments by position and for those with these labels.
+    #[must_use]
+    pub fn has_places<'l>(
+        &self,
+        n_positional: usize,
+        mut labels: impl Iterator<Item = &'l str>,
+    ) -> bool {
+        let by_position = |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
+        n_positional <= self.params.iter().filter(by_position).count()
+            && labels.all(|label| self.params.iter().any(|param| param.name == label))
     }
 }
 

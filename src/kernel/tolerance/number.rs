@@ -57,6 +57,11 @@ pub(crate) const INTEGRAL_NOISE_RELATIVE: f64 = 1e-5;
 /// Larger leaves loads on a part of a range unseen; smaller takes for one what a smooth function is off between nodes.
 pub(crate) const INTEGRAL_SEEN_RELATIVE: f64 = 1e-6;
 
+/// How far beyond an end of a range a rate is looked at, as a fraction of the range.
+///
+/// Larger takes a jump beside the end for one on it; smaller is lost among the last digits of a place.
+pub const BEYOND_END_RELATIVE: f64 = 1e-11;
+
 /// How fast a comparison changes along an integral is told over this share of the range.
 ///
 /// Larger leaves the stretch in which it is smooth; smaller leaves rounding.

@@ -25,7 +25,7 @@ op! {
     example "[for place in intersect(solid(sphere((0, 0), 2)), line((-4, 0), (4, 0))): place.point] ~= [(-2, 0), (2, 0)]" => "true";
     example "len(intersect(solid(box((0, 0, 0), (1, 1, 1))), line((-1, -1, -1), (3, 3, 3))))" => "2";
     example "intersect(solid(sphere((0, 0), 2)), line((0, 0), (1, 0)))" => "[]";
-    refuses "intersect(solid(box((0, 0, 0), (1, 1, 1))), line((-1, 0.5, 1), (2, 0.5, 1)))" => "E0607: the curve runs along the surface from parameter 0.333 to 0.667";
+    refuses "intersect(solid(box((0, 0, 0), (1, 1, 1))), line((-1, 0.5, 1), (2, 0.5, 1)))" => "E0607: the curve runs along the surface from parameter 0.3333 to 0.6667";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {

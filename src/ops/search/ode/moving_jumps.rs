@@ -10,7 +10,9 @@ use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{
         BranchEnd, BranchedRate, Jet, Trajectory,
-        tolerance::{SWITCH_ALIKE_RELATIVE, SWITCH_SPEED_RELATIVE, SWITCH_STEP_RELATIVE},
+        tolerance::{
+            BEYOND_END_RELATIVE, SWITCH_ALIKE_RELATIVE, SWITCH_SPEED_RELATIVE, SWITCH_STEP_RELATIVE,
+        },
     },
     value::{Ctx, Real, Switch, is_like},
 };
@@ -25,11 +27,8 @@ const SHARES: [f64; 2] = [0.5, 0.4375];
 const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
 
 /// By how much such steps become shorter, where on a longer way back another way was gone, and how often.
-const SHORTER: f64 = 0.0625;
+const SHORTER: f64 = 1.0 / 16.0;
 const TIMES_SHORTER: usize = 5;
-
-/// How far beyond an end of the range the rate is looked at, as a share of the range.
-const BEYOND_END: f64 = 1e-11;
 
 /// Why the rate is not told.
 #[derive(Debug)]
@@ -225,7 +224,7 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         let (Some(like), [from, to]) = (&self.state.like, self.search.range.ends) else {
             return Ok(());
         };
-        let reach = BEYOND_END * (to - from);
+        let reach = BEYOND_END_RELATIVE * (to - from);
         for (node, width) in [(found.nodes.first(), -reach), (found.nodes.last(), reach)] {
             let Some(node) = node else { continue };
             let end = BranchEnd { place: node.place, state: &node.state, rate: &node.rate };

@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// Where along an edge, as a fraction of it, a second place tells an area beside it from a line.
-const ALONG_EDGE: f64 = 0.03;
+const ALONG_EDGE: f64 = 1.0 / 32.0;
 
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
