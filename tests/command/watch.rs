@@ -111,7 +111,7 @@ fn a_script_that_vanishes_is_waited_for() {
     let watch = Watch::new(&scratch, &["a.geo"]);
     watch.sees(&["1 + 1 = 2"]);
     fs::rename(scratch.0.join("a.geo"), scratch.0.join("b.geo")).expect("moved");
-    watch.sees(&["a.geo is gone; it is waited for"]);
+    watch.sees(&["a.geo is gone; the script is waited for"]);
     fs::rename(scratch.0.join("b.geo"), scratch.0.join("a.geo")).expect("moved back");
     watch.sees(&["1 + 1 = 2"]);
     // An editor puts a new file into the place of the old one.
