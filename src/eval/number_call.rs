@@ -30,14 +30,17 @@ pub(super) fn on_few_numbers(ops: &[&'static Op], call: &Call) -> Option<Value> 
     value.is_finite().then_some(Value::Number(Number { value, dim }))
 }
 
-/// The arguments that are numbers and carry derivatives.
+/// The arguments that are numbers, where one of them carries derivatives.
 pub(super) fn numbers_with_derivatives(call: &Call) -> Vec<Real> {
     let values = call.positional.iter().chain(call.named.iter().map(|(_, value)| value));
     let real = |value: &Value| match value {
         Value::Jet(number) => Some(number.value.clone()),
+        Value::Number(number) => Some(Real::Plain(number.value)),
         _ => None,
     };
-    values.filter_map(|arg| real(&arg.value)).collect()
+    let numbers: Vec<Real> = values.filter_map(|arg| real(&arg.value)).collect();
+    let varies = numbers.iter().any(|number| matches!(number, Real::Jet(_)));
+    if varies { numbers } else { Vec::new() }
 }
 
 /// What a built-in decided that answers a number without derivatives to one that carries them, as `floor` does, or
@@ -50,7 +53,7 @@ pub(super) fn switch(asked: &[Real], value: &Value, span: Span) -> Option<Switch
                 return Some(Switch { span, state: (chosen + 1) as f64, margin: None });
             }
             // A zero without its sign.
-            let margin = asked.first().cloned()?;
+            let margin = asked.iter().find(|real| matches!(real, Real::Jet(_))).cloned()?;
             Some(Switch { span, state: number.value + 0.0, margin: Some(margin) })
         }
         Value::Jet(number) => {

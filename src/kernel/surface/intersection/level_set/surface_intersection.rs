@@ -27,7 +27,7 @@ use super::{
     verify::{self, CurveOrigin},
 };
 use crate::{
-    GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
+    Direction, GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
     ceiling::SURFACE_PAIRS,
     mesh::check_rounding,
     tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
@@ -170,18 +170,43 @@ fn have_seam_in_common(
         && common.iter().any(|edge| edge.n_inside(surfaces, tolerance) == 2)
 }
 
-/// What two surfaces share that are no functions.
+/// What two surfaces share that are no functions. Where curves that end at creases are refused, as where they meet on
+/// them, they go over these within the tolerance.
 fn shared(
     surfaces: [Arc<NurbsSurface>; 2],
     tolerance: f64,
     size: f64,
+) -> Result<LevelSet, GeomError> {
+    let found = shared_by(surfaces.clone(), tolerance, size, true);
+    let has_creases = || {
+        let creases = |surface: &Arc<NurbsSurface>| {
+            Direction::BOTH.iter().any(|&along| !surface.creases(along).is_empty())
+        };
+        surfaces.iter().any(creases)
+    };
+    match found {
+        Err(GeomError::Picture(refused)) if has_creases() => {
+            shared_by(surfaces, tolerance, size, false).map_err(|_| refused.into())
+        }
+        found => found,
+    }
+}
+
+fn shared_by(
+    surfaces: [Arc<NurbsSurface>; 2],
+    tolerance: f64,
+    size: f64,
+    stops_at_creases: bool,
 ) -> Result<LevelSet, GeomError> {
     let [a, b] = sphere::with_poles_aside(surfaces, CONTACT_SHARE * tolerance, tolerance);
     let seams = EdgeOverlap::all([&a, &b], tolerance)?;
     if let Some(point) = seams.iter().find_map(|seam| seam.overlap([&a, &b], tolerance)) {
         return Err(PictureError::SurfacesRunTogether { point }.into());
     }
-    let (crossing, found) = found([&a, &b], &seams, tolerance, size)?;
+    let (mut crossing, found) = found([&a, &b], &seams, tolerance, size)?;
+    if !stops_at_creases {
+        crossing.creases = std::array::from_fn(|_| Vec::new());
+    }
     let SharedParts { clear, mut ends, touches, lines, gaps, loops, .. } = found;
     let middle = |run: &BranchSamples| run.samples[run.samples.len() / 2].point;
     let is_on_seam =
