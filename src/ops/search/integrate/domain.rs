@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
-    integrand::{IntegralRange, Integrand, RangeEnd, settled},
+    integrand::{IntegralRange, Integrand, settled},
+    moving_cuts::RangeEnd,
     moving_range::{MovingRange, over_box},
     strips::over_strips,
 };

@@ -3,7 +3,7 @@
 use super::{
     super::{six_digits, take, unknowns},
     found::{Found, Tolerances},
-    moving_cuts::{MovingCuts, SeenPlace},
+    moving_cuts::{MovingCuts, RangeEnd, SeenPlace},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
@@ -160,17 +160,6 @@ fn place(args: &[Value]) -> Value {
         [place] => place.looked_at(),
         args => Value::list(args.iter().map(Value::looked_at).collect()),
     }
-}
-
-/// What follows beyond an end of a range.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum RangeEnd {
-    /// Nothing: the end itself is never asked for.
-    Last,
-    /// A further range of the same integral, as if there were no end.
-    Smooth,
-    /// A further one in which places move in another way.
-    Corner,
 }
 
 /// What an integral over one number is over.

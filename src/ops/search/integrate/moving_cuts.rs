@@ -5,10 +5,7 @@
 //! goes different ways the change is found by bisection; how it moves follows from what is compared there, by
 //! the theorem of implicit functions. Leibniz' rule, as for the ends of a range.
 
-use super::{
-    found::{Found, six_digit_place},
-    integrand::RangeEnd,
-};
+use super::found::{Found, six_digit_place};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{
@@ -31,6 +28,17 @@ const HALVINGS: usize = 64;
 
 /// The derivative at the end of four steps, by the values at all their ends.
 const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
+
+/// What follows beyond an end of a range.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum RangeEnd {
+    /// Nothing: the end itself is never asked for.
+    Last,
+    /// A further range of the same integral, as if there were no end.
+    Smooth,
+    /// A further one in which places move in another way.
+    Corner,
+}
 
 /// A place at which the function was asked.
 #[derive(Clone)]
