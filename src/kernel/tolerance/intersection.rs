@@ -49,6 +49,11 @@ pub(crate) const FLAT_SHARE: f64 = 0.02;
 /// Larger halves parts that are clear of one another; smaller trusts cones that touch.
 pub(crate) const CONE_CLEARANCE: f64 = 0.05;
 
+/// Where along an edge, as a fraction of it, a second place tells an area beside it from a line.
+///
+/// Larger misses short areas; smaller takes lines that cross there at a flat angle for areas.
+pub(crate) const ALONG_EDGE: f64 = 0.03125;
+
 /// Where it is looked beside an edge whether surfaces share an area, as fractions of the domain.
 ///
 /// Larger misses narrow areas; smaller calls surfaces one that part at a flat angle.

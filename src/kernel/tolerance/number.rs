@@ -67,6 +67,11 @@ pub const BEYOND_END_RELATIVE: f64 = 1e-11;
 /// Larger leaves the stretch in which it is smooth; smaller leaves rounding.
 pub const SWITCH_STEP_RELATIVE: f64 = 1e-3;
 
+/// By how much the steps over which such a speed is told become shorter, where on a longer way another way was gone.
+///
+/// Larger finds a stretch that is short in more steps; smaller leaves rounding sooner.
+pub const SWITCH_STEP_SHRINK: f64 = 0.0625;
+
 /// Places move together if their speeds differ by less than this fraction.
 ///
 /// Larger takes two places that part for one; smaller parts one by the rounding of its differences.

@@ -11,7 +11,8 @@ use crate::{
     kernel::{
         BranchEnd, BranchedRate, Jet, Trajectory,
         tolerance::{
-            BEYOND_END_RELATIVE, SWITCH_ALIKE_RELATIVE, SWITCH_SPEED_RELATIVE, SWITCH_STEP_RELATIVE,
+            BEYOND_END_RELATIVE, SWITCH_ALIKE_RELATIVE, SWITCH_SPEED_RELATIVE,
+            SWITCH_STEP_RELATIVE, SWITCH_STEP_SHRINK,
         },
     },
     value::{Ctx, Real, Switch, is_like},
@@ -26,8 +27,7 @@ const SHARES: [f64; 2] = [0.5, 0.4375];
 /// The derivative at the end of four steps, by the values at all their ends.
 const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
 
-/// By how much such steps become shorter, where on a longer way back another way was gone, and how often.
-const SHORTER: f64 = 1.0 / 16.0;
+/// How often such steps become shorter, where on a longer way back another way was gone.
 const TIMES_SHORTER: usize = 5;
 
 /// Why the rate is not told.
@@ -171,7 +171,7 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
             if speed.is_some_and(|speed| speed.is_finite() && speed != 0.0) {
                 return Ok(speed);
             }
-            step *= SHORTER;
+            step *= SWITCH_STEP_SHRINK;
         }
         Ok(None)
     }

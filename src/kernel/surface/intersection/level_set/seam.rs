@@ -15,11 +15,8 @@ use crate::{
     Direction, GeomError, Interval, NurbsCurve, NurbsSurface, Side,
     frame::unit,
     surface::Edge,
-    tolerance::{BESIDE_EDGE, CONE_CLEARANCE},
+    tolerance::{ALONG_EDGE, BESIDE_EDGE, CONE_CLEARANCE},
 };
-
-/// Where along an edge, as a fraction of it, a second place tells an area beside it from a line.
-const ALONG_EDGE: f64 = 1.0 / 32.0;
 
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
