@@ -4,7 +4,7 @@ mod moving_jumps;
 mod state;
 
 use moving_jumps::{ScriptRate, Stop};
-use state::State;
+use state::{Search, State};
 
 use super::{SearchRange, no_derivatives, six_digits};
 use crate::{
@@ -69,20 +69,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let (found, seen) = search.followed(ctx, &state)?;
     // What a function yields that took something with derivatives tells what these are by.
     let Some(like) = seen.filter(|_| state.like.is_none()) else {
-        return state.curves(&found).at(ctx.span);
+        return state.curves(&found, OP.name).at(ctx.span);
     };
     let state = state.varying_as(like);
     let (found, _) = search.followed(ctx, &state)?;
-    state.curves(&found).at(ctx.span)
-}
-
-/// What is followed, and how exactly.
-struct Search<'a> {
-    f: &'a Spanned<Callback>,
-    range: &'a SearchRange,
-    tolerance: f64,
-    /// Whether the function took something that carries derivatives.
-    varies: bool,
+    state.curves(&found, OP.name).at(ctx.span)
 }
 
 impl Search<'_> {

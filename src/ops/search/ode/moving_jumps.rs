@@ -5,7 +5,7 @@
 //! what is compared there, by the theorem of implicit functions, and by so much times the jump of the rate the slopes of
 //! the trajectory jump. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §I.14, §II.6.
 
-use super::{Search, State};
+use super::state::{Search, State};
 use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{

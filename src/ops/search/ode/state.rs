@@ -2,10 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{
-    super::{MOST_LABELS, SearchRange, six_digits, unknowns::numbers},
-    OP,
-};
+use super::super::{MOST_LABELS, SearchRange, six_digits, unknowns::numbers};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
@@ -14,6 +11,15 @@ use crate::{
     },
     value::{Callback, Ctx, FromValue, IntoValue, Real, Value, Vector},
 };
+
+/// What is followed, and how exactly.
+pub(super) struct Search<'a> {
+    pub(super) f: &'a Spanned<Callback>,
+    pub(super) range: &'a SearchRange,
+    pub(super) tolerance: f64,
+    /// Whether the function took something that carries derivatives.
+    pub(super) varies: bool,
+}
 
 /// What changes: one point, or several, with their slopes where derivatives are carried along. These follow the
 /// equation that the derivative of the trajectory by a variable fulfils. Hairer, Nørsett & Wanner, §I.14.
@@ -175,9 +181,13 @@ impl State {
         Diagnostic::error(Code::WrongKind, span, message).hint(self.example()).fail()
     }
 
-    /// The curves along which the points move.
-    pub(super) fn curves(&self, found: &Trajectory) -> std::result::Result<Value, GeomError> {
-        let report = ConstructionReport::of(OP.name)
+    /// The curves along which the points move, as an operation reports them.
+    pub(super) fn curves(
+        &self,
+        found: &Trajectory,
+        operation: &'static str,
+    ) -> std::result::Result<Value, GeomError> {
+        let report = ConstructionReport::of(operation)
             .with("error", ReportEntry::Length(found.error))
             .with("steps", found.nodes.len() - 1)
             .with("evaluations", found.n_evaluations);
