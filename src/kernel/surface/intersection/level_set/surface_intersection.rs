@@ -262,7 +262,7 @@ fn shared_by(
 /// nothing else leads them there.
 fn reach_seam<'s>(run: &mut BranchSamples, spots: impl Iterator<Item = &'s VanishingPlace>) {
     for spot in spots.filter(|spot| spot.is_exact) {
-        let ends = [run.samples.first(), run.samples.last()].map(|end| end.copied());
+        let ends = [run.samples.first(), run.samples.last()].map(Option::<&BranchSample>::copied);
         for (end, sample) in ends.into_iter().enumerate() {
             let Some(sample) = sample else { continue };
             let away = sample.point.distance(spot.point);
