@@ -48,7 +48,7 @@ pub(super) fn numbers_with_derivatives(call: &Call) -> Vec<Real> {
 pub(super) fn switch(asked: &[Real], value: &Value, span: Span) -> Option<Switch> {
     match value {
         Value::Number(number) => {
-            let is_own = |real: &Real| matches!(real, Real::Plain(own) if *own == number.value);
+            let is_own = |real: &Real| *real == Real::Plain(number.value);
             if let Some(chosen) = asked.iter().position(is_own) {
                 return Some(Switch { span, state: (chosen + 1) as f64, margin: None });
             }

@@ -182,7 +182,7 @@ impl IntegralRange {
     pub(super) fn between(mut self, domain: Interval) -> Self {
         let limits = [domain.start(), domain.end()];
         for ((beyond, end), limit) in self.beyond.iter_mut().zip(self.ends).zip(limits) {
-            if end != limit {
+            if end.total_cmp(&limit).is_ne() {
                 *beyond = RangeEnd::Smooth;
             }
         }

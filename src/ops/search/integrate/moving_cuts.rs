@@ -113,7 +113,9 @@ impl MovingCuts<'_> {
             return Ok(Vec::new());
         }
         let (width, order) = (self.like.coefficients().len(), self.like.order());
-        let is_on = |(end, beyond)| beyond == RangeEnd::Corner && (end == *low || end == *high);
+        let is_one = |a: f64, b: f64| a.total_cmp(&b).is_eq();
+        let is_on =
+            |(end, beyond)| beyond == RangeEnd::Corner && (is_one(end, *low) || is_one(end, *high));
         if self.ends.into_iter().zip(self.beyond).any(is_on) {
             return self.unknown(*low);
         }

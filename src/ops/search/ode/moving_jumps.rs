@@ -106,7 +106,8 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         for _ in 0..HALVINGS {
             let (from, length) = (inside.width, outside.width - inside.width);
             let places = SHARES.map(|share| from + share * length).into_iter();
-            let is_between = |at: &f64| *at != inside.width && *at != outside.width;
+            let is_apart = |at: f64, other: f64| at.total_cmp(&other).is_ne();
+            let is_between = |at: &f64| is_apart(*at, inside.width) && is_apart(*at, outside.width);
             // On the place itself there may be no derivative.
             let found = places.filter(is_between).find_map(|at| beside(at).ok());
             let Some(found) = found else { break };
