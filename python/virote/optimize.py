@@ -64,8 +64,11 @@ def _in_unit(parameter: Mapping[str, Any], value: float) -> ParameterValue:
 
 def _choices(parameter: Mapping[str, Any]) -> list[ParameterValue]:
     """The choices as the script reads them."""
-    is_number = lambda choice: isinstance(choice, (int, float)) and not isinstance(choice, bool)
-    return [_in_unit(parameter, one) if is_number(one) else one for one in parameter["choices"]]
+    def read(choice: Any) -> ParameterValue:
+        is_number = isinstance(choice, (int, float)) and not isinstance(choice, bool)
+        return _in_unit(parameter, choice) if is_number else choice
+
+    return [read(choice) for choice in parameter["choices"]]
 
 
 class _Steps(NamedTuple):
@@ -73,7 +76,7 @@ class _Steps(NamedTuple):
 
     first: Fraction
     step: Fraction
-    count: int
+    n_more: int
 
     def value(self, idx: int) -> float:
         return float(self.first + self.step * idx)
@@ -105,7 +108,7 @@ def _steps(parameter: Mapping[str, Any]) -> _Steps | None:
 def _bounds(parameter: Mapping[str, Any]) -> tuple[float, float]:
     """The least and the largest number that a parameter may be."""
     if steps := _steps(parameter):
-        return steps.value(0), steps.value(steps.count)
+        return steps.value(0), steps.value(steps.n_more)
     ends = parameter["range"]
     low, high = float(ends["start"]), float(ends["end"])
     # What is left out is no value; so near to it the script may read another number as the end.
@@ -118,7 +121,7 @@ def _snapped(parameter: Mapping[str, Any], value: float) -> float:
     if steps is None:
         return float(value)
     idx = round((value - float(steps.first)) / float(steps.step))
-    return steps.value(min(max(idx, 0), steps.count))
+    return steps.value(min(max(idx, 0), steps.n_more))
 
 
 def salib_problem(script: Script, names: Iterable[str] | None = None) -> dict[str, Any]:
