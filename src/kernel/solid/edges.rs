@@ -18,7 +18,7 @@ impl Solid {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use virote_kernel::{Cutter, Face, Frame, NurbsSurface, Solid, Tolerance, glam::DVec3};
+    /// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance, glam::DVec3};
     ///
     /// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
     /// let ball = Solid::new(&[sphere], Tolerance::DEFAULT)?;
