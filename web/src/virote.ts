@@ -10,7 +10,7 @@ export interface ViroteWindow {
   readonly version: 1;
   /** Version of the state that is drawn; -1 before the first. */
   readonly stateVersion: number;
-  /** Whether a state is drawn and listed, and nothing is under way. */
+  /** Whether the newest state is drawn and listed, and nothing is under way. */
   readonly isReady: boolean;
   /** Whether the picture is smooth: behind a coarse one comes such a one when nothing changes. */
   readonly isSmooth: boolean;
@@ -58,7 +58,8 @@ export function expose(app: App): void {
       return drawn;
     },
     get isReady() {
-      return drawn > 0 && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
+      // What was told last may still wait for its buffers.
+      return drawn > 0 && drawn >= doc.version && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
     },
     get isSmooth() {
       return stage.isSmooth;
