@@ -173,17 +173,20 @@ impl SurfacePair<'_> {
             let origin = from.point + from.tangent * (step * f);
             self.common_where(guess(f), PlaceCondition::InPlane { origin, normal: from.tangent })
         };
-        let (middle, next) = (place(0.5)?, place(1.0)?);
+        let ahead = place(0.5).zip(place(1.0));
         let sign = step.signum();
-        let stops = self.creases_between(from.at, next.at);
+        // Behind a crease the curve may turn back and reach no further: the stop is where it was headed for.
+        let headed = ahead.map_or_else(|| guess(1.0), |(_, next)| next.at);
+        let stops = self.creases_between(from.at, headed);
         if !stops.is_empty() {
-            let (way, place) = self.first_stop(from, sign, &stops, guess, next.at)?;
+            let (way, place) = self.first_stop(from, sign, &stops, guess, headed)?;
             let place = self.beside_crease(place, -sign);
             let share = way / step.abs();
             let is_followed =
                 share <= 1.0 && self.is_followed(from, place, sign * way, guess(0.5 * share));
             return is_followed.then_some((place, StepEnd::Crease));
         }
+        let (middle, next) = ahead?;
         if !self.follows(from, [middle, next], sign) {
             return None;
         }
