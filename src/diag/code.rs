@@ -122,7 +122,7 @@ codes! {
     Domain "E0502" "outside the domain of a function"
         "The function has no value there: the square root and logarithm of a negative number, `asin` beyond 1, or a result beyond 1.8e308."
     NoDerivative "E0503" "no derivative"
-        "The tangent or curvature of a `parametric` curve or surface needs the derivatives of its function, which are carried through every operation in it. Some operations have none at some places, such as `abs` and `sqrt` at 0, and others have none at all, such as the construction of a circle whose radius varies. Points can still be asked for."
+        "`gradient`, and the tangent or curvature of a `parametric` curve or surface, need the derivatives of a function, which are carried through every operation in it. Some operations have none at some places, such as `abs` and `sqrt` at 0, and others have none at all, such as offsets and meshes. `gradient(f, at, differences = true)` takes differences through whatever the function does; points of a `parametric` can still be asked for."
 
     NoAnswer "E0504" "a search without an answer"
         "`solve`, `minimize`, `maximize` and `integrate` ask a function at many places. What they find is checked before it is given: a root is a change of sign without a jump, or a touch; an integral has a known error. Where there is no such answer, the message tells what was found instead, and where. Look at the function with `:plot` at the prompt, or in another range."

@@ -11,5 +11,9 @@ check t.um == [1um, 2um] and t.cm == [1cm, 2cm] and t.m == [1m, 2m] and t.km == 
 check t["in"] == [1in, 2in] and t.ft == [1ft, 2ft]
 check t.rad == [1rad, 2rad] and t.turns == [1turn, 2turn]
 check t["half breadth"] == [7, 8] and t[0]["half breadth"] == 7
+// Round brackets tell a unit too; what is none belongs to the name.
+table round_brackets = load("lib/data/round-brackets.csv")
+check round_brackets.x == [1mm, 3mm] and round_brackets.turn == [90deg, 45deg] and round_brackets.lift == [0.4, 0.5]
+check round_brackets["speed (knots)"] == [7, 8] and round_brackets["y, z"] == [2cm, 4cm]
 print t.length, t.turn, t.area, t
 export t to "back.csv"

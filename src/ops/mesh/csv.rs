@@ -1,4 +1,4 @@
-//! Reader of CSV: a table, units in square brackets after the names of its columns.
+//! Reader of CSV: a table, units in brackets after the names of its columns.
 //!
 //! Cells in quotation marks may hold anything (RFC 4180). A semicolon or a tabulator separates
 //! where it, and no comma, stands in the header.
@@ -9,7 +9,7 @@ use super::csv_rows::{CsvCell, CsvRow, csv_rows, line_at};
 use crate::{
     kernel::{NamedColumn, Table},
     limits::work,
-    value::{Ctx, ENDED, IntoValue, Value, in_document_unit},
+    value::{Ctx, ENDED, IntoValue, Value, in_document_unit, in_unit_of},
 };
 
 /// The table of a file.
@@ -26,7 +26,7 @@ pub(super) fn read(text: &str, ctx: &Ctx<'_>) -> Result<Value, String> {
     let mut known = HashSet::new();
     let mut columns = Vec::with_capacity(header.cells.len());
     for (idx, title) in header.cells.iter().enumerate() {
-        let (name, unit) = name_and_unit(&title.text);
+        let (name, unit) = name_and_unit(&title.text, ctx.unit);
         if name.is_empty() {
             return Err(format!("line {line}: column {} has no name", idx + 1));
         }
@@ -112,11 +112,19 @@ fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// `x [mm]` is `x` in `mm`.
-fn name_and_unit(title: &str) -> (&str, Option<&str>) {
+/// `x [mm]` is `x` in `mm`, and so is `x (mm)`; `x [-]` has no unit. What stands in round brackets and is no unit belongs to
+/// the name.
+fn name_and_unit<'t>(title: &'t str, length: &str) -> (&'t str, Option<&'t str>) {
     let title = title.trim();
-    match title.strip_suffix(']').and_then(|title| title.rsplit_once('[')) {
-        Some((name, unit)) if !unit.trim().is_empty() => (name.trim(), Some(unit.trim())),
+    let in_brackets = |[open, close]: [char; 2]| {
+        let (name, unit) = title.strip_suffix(close)?.rsplit_once(open)?;
+        Some((name.trim(), unit.trim()))
+    };
+    let is_unit = |unit: &str| in_unit_of(1.0, unit, length).is_some();
+    match (in_brackets(['[', ']']), in_brackets(['(', ')'])) {
+        (Some((name, "" | "-" | "1")), _) => (name, None),
+        (Some((name, unit)), _) => (name, Some(unit)),
+        (_, Some((name, unit))) if is_unit(unit) => (name, Some(unit)),
         _ => (title, None),
     }
 }

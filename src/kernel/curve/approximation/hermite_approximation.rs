@@ -44,8 +44,9 @@ const COARSER: f64 = 100.0;
 /// Halvings that make a smooth piece near.
 const SMOOTH_HALVINGS: usize = 6;
 
-/// Widths of the narrowest piece, in units of what keeps two knots apart.
-const NARROWEST: f64 = 2.0;
+/// Widths up to which a piece is not halved, in units of what keeps two knots apart: halves are clearly wider than
+/// that, and a spline has its derivatives that far from a knot.
+const NARROWEST: f64 = 4.0;
 
 /// What makes a whole number of one with twelve decimals.
 const DIGITS: f64 = 1e12;
@@ -252,7 +253,10 @@ impl HermiteFit<'_> {
             if width <= LAST_BIT * middle.abs().max(ends[1] - ends[0]) {
                 break;
             }
-            let middle = self.inner_node(middle)?;
+            let middle = match self.inner_node(middle) {
+                Err(HermiteFailure::Break(at)) => return self.told_break(at, ends),
+                found => found?,
+            };
             if !self.is_near(&low, &middle, self.allowed[0])? {
                 high = middle;
             } else if !self.is_near(&middle, &high, self.allowed[0])? {
@@ -265,7 +269,11 @@ impl HermiteFit<'_> {
                 high = middle;
             }
         }
-        let at = shortest_between(low.parameter, high.parameter);
+        self.told_break(shortest_between(low.parameter, high.parameter), ends)
+    }
+
+    /// Fails with a singular place where there is room for a stretch on both sides of it.
+    fn told_break(&self, at: f64, ends: [f64; 2]) -> Result<(), HermiteFailure> {
         let is_inside = self.narrowest < at - ends[0] && self.narrowest < ends[1] - at;
         if is_inside { Err(HermiteFailure::Break(at)) } else { Ok(()) }
     }

@@ -13,7 +13,9 @@ use super::{
 use crate::{
     ceiling::TRACE_SAMPLES,
     frame::unit,
-    tolerance::{FIRST_STEP_SHARE, KNOT_RELATIVE, LONGEST_STEP_SHARE, SHORTEST_STEP_SHARE},
+    tolerance::{
+        FIRST_STEP_SHARE, KNOT_RELATIVE, LONGEST_STEP_SHARE, ONE_PLACE_SHARE, SHORTEST_STEP_SHARE,
+    },
     work,
 };
 
@@ -33,7 +35,7 @@ impl SurfacePair<'_> {
         }
         places.push(self.beside_crease(start, 1.0));
         places.extend(ahead);
-        run_of(places)
+        run_of(places, ONE_PLACE_SHARE * self.tolerance)
     }
 
     /// The curve along a branch out of a junction.
@@ -43,7 +45,7 @@ impl SurfacePair<'_> {
         if way.sign < 0.0 {
             places.reverse();
         }
-        run_of(places)
+        run_of(places, ONE_PLACE_SHARE * self.tolerance)
     }
 
     /// The places behind the start in a direction, and whether the last one is the start again.
@@ -54,6 +56,8 @@ impl SurfacePair<'_> {
         ends: &CurveEnds,
     ) -> (Vec<PairParameters>, bool) {
         let mut places: Vec<PairParameters> = Vec::new();
+        // The start as it is for who comes back to it.
+        let back_at = self.beside_crease(start, -sign);
         let mut last = start;
         let mut step = FIRST_STEP_SHARE * self.size;
         while places.len() < TRACE_SAMPLES && last.tangent != DVec3::ZERO && work::goes_on(1) {
@@ -85,9 +89,9 @@ impl SurfacePair<'_> {
                 && back <= reached + self.rounding
                 && self.cubic(last, next, sign).misses_near(start.point, back / reached)
                     <= self.tolerance
-                && 0.0 < next.tangent.dot(start.tangent)
+                && 0.0 < next.tangent.dot(back_at.tangent)
             {
-                places.push(self.beside_crease(start, -sign));
+                places.push(back_at);
                 return (places, true);
             }
             if let Some(end) = self.pole_ahead(last, next, sign) {
@@ -348,12 +352,15 @@ impl CurveEnds {
     }
 }
 
-/// Places as samples; what follows in one place is one, with the tangents of both sides.
-fn run_of(places: Vec<PairParameters>) -> BranchSamples {
+/// Places as samples; what follows up to a distance is one place, with the tangents of both sides: a curve may start just
+/// beside a crease.
+fn run_of(places: Vec<PairParameters>, one_place: f64) -> BranchSamples {
     let mut samples: Vec<BranchSample> = Vec::with_capacity(places.len());
     for place in places {
         match samples.last_mut() {
-            Some(last) if last.point == place.point => last.behind = place.tangent,
+            Some(last) if last.point.distance(place.point) <= one_place => {
+                last.behind = place.tangent;
+            }
             _ => samples.push(BranchSample {
                 point: place.point,
                 before: place.tangent,
