@@ -14,3 +14,10 @@ check gradient(k => integrate(x => k / sqrt(x), 0..1), 0.4) ~= 2 within 1e-9
 // What comes to nothing at the end as well.
 check gradient(k => integrate(x => k * abs(x), 0..1), 2) ~= 0.5 within 1e-12
 check gradient(k => integrate(x => k * abs(sin(x)), 0..pi), 2) ~= 2 within 1e-12
+// A jump that moves with the end of the range is never inside of it.
+check gradient(x => integrate(t => if t < x then 1 else 2, 0..x), 0.5) == 1
+check gradient(x => integrate(t => if t < x then 1 else 2, x..2), 0.5) == -2
+check gradient(x => integrate(t => if t > 2*x then 3 else t, 0..2*x), 0.5) ~= 2
+check gradient(x => integrate((s, t) => if s < x then t else 2*t, [0..x, 0..1]), 0.5) ~= 0.5
+check gradient(k => integrate(t => k*abs(t), 0..1), 0.5) ~= 0.5
+check gradient(x => integrate(t => abs(t), 0..x), 0.5) == 0.5

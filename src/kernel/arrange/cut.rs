@@ -66,7 +66,7 @@ impl Arrangement {
             }
         }
         let (vertices, vertex_of) = vertices(&cuts, tolerance);
-        let mut arrangement = Self { vertices, edges: Vec::new(), arcs, tolerance };
+        let mut arrangement = Self { vertices, edges: Vec::new(), repeated: None, arcs, tolerance };
         arrangement.cut(&cuts, &vertex_of, &groups)?;
         arrangement.merge();
         Ok(arrangement)
@@ -137,10 +137,14 @@ impl Arrangement {
                 merged.push(edge);
                 continue;
             };
+            let start = merged[other].ends[0];
             let passes = &mut merged[other].passes;
             for (group, times) in edge.passes {
                 match passes.iter_mut().find(|pass| pass.0 == group) {
-                    Some(pass) => pass.1 += sense * times,
+                    Some(pass) => {
+                        pass.1 += sense * times;
+                        self.repeated.get_or_insert((start, group));
+                    }
                     None => passes.push((group, sense * times)),
                 }
             }

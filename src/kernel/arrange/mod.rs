@@ -47,6 +47,8 @@ pub(crate) struct Arrangement {
     /// Where edges end.
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) edges: Vec<PlaneEdge>,
+    /// The start of the first edge along which rings of one group run more than once, in either sense, and the group.
+    repeated: Option<(usize, usize)>,
     /// The given arcs, by their number.
     arcs: Vec<NurbsCurve>,
     /// How near places are one.
@@ -69,9 +71,12 @@ pub(crate) struct PlaneEdge {
 
 impl Arrangement {
     /// A vertex in which more than two ends of edges meet, or the start of an edge along which more than
-    /// one ring runs; and the groups there, in order. None where all rings are apart and meet nothing
-    /// but themselves in their joints.
+    /// one ring runs, or one more than once; and the groups there, in order. None where all rings are apart and meet
+    /// nothing but themselves in their joints.
     pub(crate) fn knot(&self) -> Option<(DVec3, Vec<usize>)> {
+        if let Some((vertex, group)) = self.repeated {
+            return Some((self.vertices[vertex], vec![group]));
+        }
         let mut n_ends = vec![0; self.vertices.len()];
         self.edges.iter().flat_map(|edge| edge.ends).for_each(|end| n_ends[end] += 1);
         let is_shared = |edge: &&PlaneEdge| !matches!(edge.passes[..], [(_, 1 | -1)]);

@@ -4,11 +4,17 @@ use super::{
     super::SearchRange,
     found::{Found, Tolerances, nested},
     integrand::{IntegralRange, Integrand, settled},
+    moving_cuts::{jumps, unknown},
 };
 use crate::{
-    diag::{Code, Result, Spanned},
-    kernel::{Jet, ceiling::INTEGRAL_LOOKS, jet::moved_end},
-    value::{IntoValue, Number, Range, Real, Value},
+    diag::{Code, Result, Span, Spanned},
+    kernel::{
+        Jet,
+        ceiling::INTEGRAL_LOOKS,
+        jet::moved_end,
+        tolerance::{LAST_BIT, SWITCH_ALIKE_RELATIVE},
+    },
+    value::{IntoValue, Number, Range, Real, Value, is_like},
 };
 
 /// Beyond this even squares leave the numbers: 1e154² is 1e308.
@@ -89,6 +95,7 @@ pub(super) fn over_box(
         && rest.iter().all(|range| range.like().is_none())
         && !known.iter().any(Value::is_jet);
     let is_alone = known.is_empty() && rest.is_empty();
+    let moves_inside = integrand.is_varying() || known.iter().any(Value::is_jet);
     let mut ask = |integrand: &mut Integrand<'_, '_>, at: Real| {
         known.push(first.place(at));
         let found = over_box(rest, known, integrand, inner);
@@ -117,15 +124,90 @@ pub(super) fn over_box(
         total.value.iter_mut().for_each(|part| *part = -*part);
     }
     let Some(like) = integrand.carried().cloned() else { return Ok(total) };
-    let width = like.coefficients().len();
-    for (end, sign) in first.ends.iter().zip([-1.0, 1.0]) {
-        let Real::Jet(end) = end else { continue };
-        let gain = moved_end(end, |at| -> Result<Vec<Jet>> {
-            let flat = ask(integrand, Real::Jet(at.clone()))?.value;
-            Ok(flat.chunks(width).map(|part| like.with_coefficients(part)).collect())
-        })?;
-        let flat = gain.iter().flat_map(|part| part.scaled(sign).coefficients().to_vec());
-        total = total.plus(Found::exact(flat.collect()));
+    let ends = MovingEnds { ends: &first.ends, moves_inside, like: &like, span: integrand.span() };
+    ends.added_to(total, [low, high], &mut |at| ask(integrand, at))
+}
+
+/// The ends of a range over which derivatives are carried along.
+struct MovingEnds<'a> {
+    ends: &'a [Real; 2],
+    /// Whether what the function is inside moves too.
+    moves_inside: bool,
+    like: &'a Jet,
+    span: Span,
+}
+
+impl MovingEnds<'_> {
+    /// An integral with what it gains at the ends, which are two in rising order.
+    fn added_to(
+        &self,
+        mut total: Found,
+        [low, high]: [f64; 2],
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Result<Found> {
+        let width = self.like.coefficients().len();
+        let mean = total.size / (high - low);
+        for (end, sign) in self.ends.iter().zip([-1.0, 1.0]) {
+            let place = match low < high && (self.moves_inside || matches!(end, Real::Jet(_))) {
+                true => self.place_inside(end, [low, high], mean, ask)?,
+                false => end.value(),
+            };
+            let Real::Jet(end) = end else { continue };
+            let gain = moved_end(&end.clone().with_value(place), |at| -> Result<Vec<Jet>> {
+                let flat = ask(Real::Jet(at.clone()))?.value;
+                Ok(flat.chunks(width).map(|part| self.like.with_coefficients(part)).collect())
+            })?;
+            let flat = gain.iter().flat_map(|part| part.scaled(sign).coefficients().to_vec());
+            total = total.plus(Found::exact(flat.collect()));
+        }
+        Ok(total)
     }
-    Ok(total)
+
+    /// Where the function is asked for what an end gains: at the end, or, where it goes another way there than inside and
+    /// that place moves with the end, as near to it as numbers are.
+    ///
+    /// # Errors
+    /// `E0503` where the function jumps at the end, and the place moves in another way than the end: then the integral has a
+    /// derivative on one side alone.
+    fn place_inside(
+        &self,
+        end: &Real,
+        [low, high]: [f64; 2],
+        mean: f64,
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Result<f64> {
+        let at = end.value();
+        let step = LAST_BIT * at.abs().max(high - low);
+        let beside = if at <= low { low + step } else { high - step };
+        let mut found = |at: f64| ask(Real::Plain(at)).ok();
+        let Some(own) = found(at).filter(|own| !own.switches.is_empty()) else { return Ok(at) };
+        let Some(inner) = found(beside) else { return Ok(at) };
+        if is_like(&own.switches, &inner.switches) {
+            return Ok(at);
+        }
+        let mut pairs = own.switches.iter().zip(&inner.switches);
+        let number = pairs.position(|(a, b)| !a.is_like(b)).unwrap_or(own.switches.len());
+        let sides = [(at, own), (beside, inner)]
+            .map(|(at, found)| (at, Found { size: found.size.max(mean), ..found }));
+        if !jumps(self.like, &sides) {
+            return Ok(at);
+        }
+        let [(_, own), _] = sides;
+        let (switches, speed) = match end {
+            Real::Plain(_) => (own.switches, 1.0),
+            Real::Jet(jet) => (ask(end.clone())?.switches, fastest(jet)),
+        };
+        match switches.get(number).and_then(|switch| switch.margin.as_ref()) {
+            Some(Real::Plain(_)) => Ok(beside),
+            Some(Real::Jet(margin)) if fastest(margin) <= SWITCH_ALIKE_RELATIVE * speed => {
+                Ok(beside)
+            }
+            _ => unknown(self.span, at),
+        }
+    }
+}
+
+/// The largest of its derivatives.
+fn fastest(jet: &Jet) -> f64 {
+    jet.coefficients().iter().skip(1).fold(0.0, |most: f64, part| most.max(part.abs()))
 }
