@@ -47,6 +47,12 @@ fn advice(kind: ParamKind, text: &str) -> String {
     if text.contains(',') && is_decimal {
         return format!("the decimal sign is a point: `{with_point}`");
     }
+    if let Some((number, unit)) = text.trim().split_once(char::is_whitespace)
+        && number.parse::<f64>().is_ok()
+        && unit.trim_start().chars().all(char::is_alphabetic)
+    {
+        return format!("a unit stands right behind its number: `{number}{}`", unit.trim_start());
+    }
     match kind {
         ParamKind::Bool => "it is `true` or `false`".to_owned(),
         ParamKind::Integer => "it is a whole number, such as `7`".to_owned(),

@@ -85,9 +85,15 @@ impl Face {
     pub fn split(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let division = self.divided(cutters, tolerance)?;
         let parts = self.with_parts(&division);
-        for cutter in cutters {
-            if let Cutter::Plane(plane) = cutter {
-                parts.iter().try_for_each(|part| part.beside(*plane, tolerance).map(|_| ()))?;
+        for (index, cutter) in cutters.iter().enumerate() {
+            let Cutter::Plane(plane) = cutter else { continue };
+            for part in &parts {
+                let height = part.beside(*plane, tolerance)?;
+                if height.abs() <= self.distance(tolerance) {
+                    let places = part.some_places(tolerance);
+                    let point = places.first().copied().unwrap_or(plane.origin());
+                    return Err(FaceError::RunsAlong { index, point }.into());
+                }
             }
         }
         Ok(parts)

@@ -313,11 +313,17 @@ impl EncodingItem {
         Ok(())
     }
 
-    /// Points of a curve with their parameters.
+    /// Points of a curve with their parameters; from one to the next it turns by no more than normals may.
     pub(super) fn polyline(&self, curve: &Curve) -> Result<(Vec<f64>, Vec<DVec3>), GeomError> {
         let spline = curve.spline()?;
-        let Fineness { chord, most, .. } = self.fineness;
+        let Fineness { chord, angle, most, .. } = self.fineness;
         let parameters = tessellation_parameters(&spline, chord, most)?;
+        let mut finer = vec![parameters[0]];
+        for ends in parameters.windows(2) {
+            let n_parts = (turn(&spline, [ends[0], ends[1]]) / angle).ceil().max(1.0) as usize;
+            finer.extend(Interval::new(ends[0], ends[1])?.steps(n_parts).into_iter().skip(1));
+        }
+        let parameters = if finer.len() <= most { finer } else { parameters };
         let points = parameters.iter().map(|&t| spline.point_at(t)).collect();
         Ok((parameters, points))
     }
@@ -341,6 +347,13 @@ impl EncodingItem {
         let points = finer.iter().map(|&t| spline.point_at(t)).collect();
         Ok((finer, points))
     }
+}
+
+/// By how much a curve turns between parameters of one piece, in radians, as three directions tell it.
+fn turn(curve: &NurbsCurve, [start, end]: [f64; 2]) -> f64 {
+    let places = [(start, Side::Right), (0.5 * (start + end), Side::Right), (end, Side::Left)];
+    let [from, middle, to] = places.map(|(t, side)| curve.derivatives_beside(t, side, 1)[1]);
+    from.angle_between(middle) + middle.angle_between(to)
 }
 
 /// The curvature vector of a curve; nothing where it has none.

@@ -86,9 +86,12 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
     found.push(Piece { path: path.to_owned(), shape });
 }
 
+/// Part of the usual distance of chords that the triangles of a region keep from its borders, which are drawn smooth.
+const FILL_SHARE: f64 = 0.1;
+
 /// The area of a region, and its borders.
 fn gather_region(region: &Arc<Region>, path: &str, found: &mut Vec<Piece>) {
-    let chord = DEFAULT_CHORD_RELATIVE * region.bounds().diagonal();
+    let chord = FILL_SHARE * DEFAULT_CHORD_RELATIVE * region.bounds().diagonal();
     let Ok(mesh) = region.mesh(chord, Tolerance::DEFAULT.distance, Limits::DEFAULT.mesh_vertices)
     else {
         return;
