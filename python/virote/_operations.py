@@ -2656,7 +2656,7 @@ def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = 
     A parametric curve is searched as the spline that `length` tells of; each place is then found
     on the function itself.
     Where two curves cross clearly, inside of both, derivatives pass through; of what moves out of the plane of both
-    tangents there is none in `t` and `s`.
+    tangents there is none in `t` and `s`. So they do where a curve crosses a surface.
     Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
 
     :param a: One curve.
@@ -2677,6 +2677,7 @@ def intersect(*args: Any, a: Any = None, b: Any = None, s: Any = None, c: Any = 
     tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
     is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
     within a part of the tolerance. `report` of a curve tells whether it is proven, and how far from both surfaces it may be.
+    Where a curve crosses clearly, inside of both, derivatives pass through.
     Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     :param a: A surface or face.

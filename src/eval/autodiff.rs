@@ -11,6 +11,7 @@ use crate::{
     value::{
         At, CARRIES_DERIVATIVES, Call, Ctx, FromValue, IntoValue, Op, Real, RealCurve, RealSurface,
         Settling, Value, looked_at, through_affine, through_shape, varies, with_form_of,
+        with_slopes_of_points,
     },
 };
 
@@ -61,6 +62,14 @@ pub(super) fn run(op: &'static Op, ctx: &mut Ctx<'_>, call: Call) -> Result<Valu
     if !is_varying || op.derives_itself.is_some_and(|derives| derives(&call)) {
         return (op.run)(ctx, call);
     }
+    if op.has_given_control_points {
+        let n_warnings = ctx.caller.n_warnings();
+        let answer = (op.run)(ctx, plain(&call))?;
+        if let Some(found) = with_slopes_of_points(op, &call, &answer) {
+            return Ok(found);
+        }
+        ctx.caller.keep_warnings(n_warnings);
+    }
     if let Some(settling) = op.settling
         && (settling.applies)(&call)
         && let Some(found) = settled((op, settling), ctx, &call)?
@@ -84,9 +93,7 @@ fn settled(
     ctx: &mut Ctx<'_>,
     call: &Call,
 ) -> Result<Option<Value>> {
-    let mut plain = call.clone();
-    arguments(&mut plain).for_each(|arg| arg.value = looked_at(&arg.value));
-    let answer = (op.run)(ctx, plain)?;
+    let answer = (op.run)(ctx, plain(call))?;
     let Value::Surface(Surface::Nurbs(surface)) = &answer else { return Ok(None) };
     let report = surface.report().map(IntoValue::into_value);
     let Some(Value::Record(report)) = report else { return Ok(None) };
@@ -103,6 +110,13 @@ fn settled(
     let Value::JetSurface(fixed) = fixed? else { return Ok(None) };
     let moved = (settling.moving)(call, &fixed, found).at(call.span)?;
     Ok(moved.and_then(|moved| with_form_of(&Value::JetSurface(moved.into()), &answer)))
+}
+
+/// A call without derivatives.
+fn plain(call: &Call) -> Call {
+    let mut plain = call.clone();
+    arguments(&mut plain).for_each(|arg| arg.value = looked_at(&arg.value));
+    plain
 }
 
 fn arguments(call: &mut Call) -> impl Iterator<Item = &mut Spanned<Value>> {

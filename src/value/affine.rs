@@ -8,9 +8,10 @@
 
 use super::{
     CARRIES_DERIVATIVES, Value,
+    numbers::{NumberSlopes, numbers},
+    packed::PackedVariables,
     variation::{
-        NumberSlopes, Steps, Variables, are_alike, has_moving_knots, looked_at, moved, numbers,
-        sizes, with_form_of,
+        Steps, Variables, are_alike, has_moving_knots, looked_at, moved, sizes, with_form_of,
     },
 };
 use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
@@ -142,6 +143,14 @@ struct Differences<'a> {
     plain: Vec<f64>,
 }
 
+/// The slopes along the growths, by variable.
+fn along(lines: &[Growth]) -> Vec<(usize, Vec<f64>)> {
+    let slope = |line: &Growth| {
+        (line.variable, line.growth.iter().map(|growth| growth / line.step).collect())
+    };
+    lines.iter().map(slope).collect()
+}
+
 /// How much the numbers grow over a step of a variable.
 struct Growth {
     variable: usize,
@@ -210,6 +219,33 @@ impl<'a> Differences<'a> {
 
     /// The answer with its derivatives: first as on straight lines, then as on parabolas.
     fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
+        let by_variable = match self.lines_together(n_variables) {
+            Some(lines) => along(&lines),
+            None => self.each_by_itself(n_variables)?,
+        };
+        let mut slopes = NumberSlopes { n_variables, by_variable: &by_variable, n_used: 0 };
+        slopes.value(&self.base).ok_or(NoDerivative::NoAnswer)
+    }
+
+    /// The slopes by each variable, moved by itself.
+    fn each_by_itself(
+        &mut self,
+        n_variables: usize,
+    ) -> std::result::Result<Vec<(usize, Vec<f64>)>, NoDerivative> {
+        let lines = self.lines(n_variables)?;
+        if self.are_straight(&lines) {
+            return Ok(along(&lines));
+        }
+        let mut all = Vec::new();
+        for line in lines {
+            let growths = self.growths(line.variable, 3)?;
+            all.push((line.variable, self.parabola(&growths).ok_or(NoDerivative::Uneven)?));
+        }
+        Ok(all)
+    }
+
+    /// The growth over a step of each variable.
+    fn lines(&mut self, n_variables: usize) -> std::result::Result<Vec<Growth>, NoDerivative> {
         let mut lines = Vec::new();
         for variable in 0..n_variables {
             // The slopes of all variables by all others may be more than there is room for.
@@ -218,21 +254,26 @@ impl<'a> Differences<'a> {
             }
             lines.extend(self.growths(variable, 1)?);
         }
-        let by_variable = if self.are_straight(&lines) {
-            let slope = |line: &Growth| {
-                (line.variable, line.growth.iter().map(|growth| growth / line.step).collect())
-            };
-            lines.iter().map(slope).collect()
-        } else {
-            let mut all = Vec::new();
-            for line in lines {
-                let growths = self.growths(line.variable, 3)?;
-                all.push((line.variable, self.parabola(&growths).ok_or(NoDerivative::Uneven)?));
-            }
-            all
+        Ok(lines)
+    }
+
+    /// The same of variables that move one coordinate each, from steps of several at once; none where they do not go
+    /// together.
+    fn lines_together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
+        let packed = PackedVariables::new(self.args, &all_moved(self.args, &[])?, n_variables)?;
+        let mut together = Differences {
+            args: &packed.args,
+            base: self.base.clone(),
+            run: &mut *self.run,
+            plain: self.plain.clone(),
         };
-        let mut slopes = NumberSlopes { n_variables, by_variable: &by_variable, n_used: 0 };
-        slopes.value(&self.base).ok_or(NoDerivative::NoAnswer)
+        let mut lines = Vec::with_capacity(n_variables);
+        for found in together.lines(packed.len()).ok()? {
+            let parts = packed.taken_apart(found.variable, (found.step, &found.growth), &self.base);
+            let line = |(variable, step, growth)| Growth { variable, step, growth };
+            lines.extend(parts.into_iter().map(line));
+        }
+        self.are_straight(&lines).then_some(lines)
     }
 
     /// Whether the growths over all steps together, each shortened in its own way, are the sum of theirs.

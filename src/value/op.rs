@@ -260,6 +260,9 @@ pub struct Op {
     /// Whether all that it answers depends on the shape of curves and surfaces alone, not on the knots and control
     /// points that these have, so that derivatives pass through it where knots move too.
     pub is_of_shape: bool,
+    /// Whether its answer's control points are the points of its first parameter, in their order and with weights of
+    /// their own, so that they have the same slopes: see [`with_slopes_of_points`](super::with_slopes_of_points).
+    pub has_given_control_points: bool,
     /// Of which calls it finds the derivatives itself, as one that takes a `Real` does.
     pub derives_itself: Option<fn(&Call) -> bool>,
     /// What it finds by a rule, and how that moves.
@@ -341,6 +344,7 @@ macro_rules! op {
             on_numbers: $crate::value::op!(@value $($numbers)?),
             is_affine: $crate::value::op!(@is_affine $($affine)?),
             is_of_shape: $crate::value::op!(@is_of_shape $($affine)?),
+            has_given_control_points: $crate::value::op!(@has_given_control_points $($affine)?),
             derives_itself: $crate::value::op!(@derives_itself $( $($own)? )?),
             settling: $crate::value::op!(@settling $($settling)?),
             picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
@@ -369,10 +373,16 @@ macro_rules! op {
     (@enclosed $enclosed:path) => { Some($enclosed) };
     (@is_affine) => { false };
     (@is_affine affine) => { true };
+    (@is_affine control_points) => { true };
     (@is_affine shape) => { true };
     (@is_of_shape) => { false };
     (@is_of_shape affine) => { false };
+    (@is_of_shape control_points) => { false };
     (@is_of_shape shape) => { true };
+    (@has_given_control_points) => { false };
+    (@has_given_control_points affine) => { false };
+    (@has_given_control_points control_points) => { true };
+    (@has_given_control_points shape) => { false };
     (@derives_itself) => { None };
     (@derives_itself $own:path) => { Some($own) };
     (@settling) => { None };

@@ -1,17 +1,11 @@
-//! How values vary with the parameters of a function that is differentiated: their numbers, one behind the
-//! other, moved along their slopes and given slopes.
+//! How values vary with the parameters of a function that is differentiated: moved along their slopes.
 
 use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{
-    IntoValue, JetRange, List, Number, Range, Real, Record, Value, Vector, compare::equal,
-};
-use crate::kernel::{
-    Curve, Grid, Jet, KnotVector, NurbsCurve, NurbsSurface, PointSlopes, Surface, VariedCurve,
-    VariedSurface, tolerance::LAST_BIT,
-};
+use super::{IntoValue, List, Number, Range, Real, Record, Value, Vector, compare::equal};
+use crate::kernel::{Curve, Jet, KnotVector, PointSlopes, Surface, tolerance::LAST_BIT};
 
 /// Steps of variables, each with its index.
 pub(super) type Steps<'s> = &'s [(usize, f64)];
@@ -216,27 +210,7 @@ pub(super) fn sizes(value: &Value, variable: usize) -> [f64; 2] {
     if found[0] > 0.0 { found } else { [0.0; 2] }
 }
 
-/// The numbers of a value, one behind the other: of numbers, points, ranges, lists and records, and of
-/// control points with their weights.
-pub(super) fn numbers(value: &Value, all: &mut Vec<f64>) {
-    let points = |points: &[DVec4], all: &mut Vec<f64>| {
-        all.extend(points.iter().flat_map(DVec4::to_array));
-    };
-    match value {
-        Value::Number(number) => all.push(number.value),
-        Value::Point(point) => all.extend(point.to_array()),
-        Value::Range(range) => all.extend([range.start.value, range.end.value]),
-        Value::Curve(Curve::Nurbs(curve)) => points(curve.control_points(), all),
-        Value::Surface(Surface::Nurbs(surface)) => {
-            points(surface.control_points().as_slice(), all);
-        }
-        Value::List(items) => items.values().for_each(|item| numbers(&item, all)),
-        Value::Record(record) => record.iter().for_each(|(_, value)| numbers(value, all)),
-        _ => {}
-    }
-}
-
-/// Whether two values differ in their [`numbers`] alone.
+/// Whether two values differ in their [numbers](super::numbers::numbers) alone.
 pub(super) fn are_alike(a: &Value, b: &Value) -> bool {
     match (a, b) {
         (Value::Number(a), Value::Number(b)) => a.dim == b.dim,
@@ -272,92 +246,4 @@ fn are_same_knots(a: &KnotVector, b: &KnotVector) -> bool {
     a.degree() == b.degree()
         && a_knots.len() == b_knots.len()
         && a_knots.iter().zip(b_knots).all(is_near)
-}
-
-/// Slopes of the [`numbers`] of a value by variables, handed out in their order.
-pub(super) struct NumberSlopes<'s> {
-    /// How many variables there are.
-    pub(super) n_variables: usize,
-    /// For those that the value depends on, the slope of each number.
-    pub(super) by_variable: &'s [(usize, Vec<f64>)],
-    /// How many numbers have theirs.
-    pub(super) n_used: usize,
-}
-
-impl NumberSlopes<'_> {
-    /// A number with its slopes; plain if they are all zero.
-    fn real(&mut self, value: f64) -> Option<Real> {
-        let mut slopes = vec![0.0; self.n_variables];
-        for (variable, own) in self.by_variable {
-            slopes[*variable] = own[self.n_used];
-        }
-        self.n_used += 1;
-        if slopes.iter().all(|slope| *slope == 0.0) {
-            return Some(Real::Plain(value));
-        }
-        Jet::with_slopes(value, &slopes).ok().map(Real::Jet)
-    }
-
-    fn number(&mut self, number: Number) -> Option<Number<Real>> {
-        Some(Number { value: self.real(number.value)?, dim: number.dim })
-    }
-
-    fn points(&mut self, n_points: usize) -> Option<PointSlopes> {
-        let from = self.n_used;
-        self.n_used += 4 * n_points;
-        let own = |(variable, slopes): &(usize, Vec<f64>)| {
-            let points = slopes[from..self.n_used].chunks_exact(4).map(DVec4::from_slice);
-            (*variable, points.collect())
-        };
-        let by_variable = self.by_variable.iter().map(own).collect();
-        PointSlopes::new(self.n_variables, n_points, by_variable).ok()
-    }
-
-    fn curve(&mut self, curve: &Arc<NurbsCurve>) -> Option<Value> {
-        let slopes = self.points(curve.control_points().len())?;
-        if slopes.by_variable().is_empty() {
-            return Some(Value::Curve(Curve::Nurbs(Arc::clone(curve))));
-        }
-        Some(Value::JetCurve(Arc::new(VariedCurve::new(Arc::clone(curve), slopes).ok()?)))
-    }
-
-    fn surface(&mut self, surface: &Arc<NurbsSurface>) -> Option<Value> {
-        let net: &Grid<DVec4> = surface.control_points();
-        let slopes = self.points(net.as_slice().len())?;
-        if slopes.by_variable().is_empty() {
-            return Some(Value::Surface(Surface::Nurbs(Arc::clone(surface))));
-        }
-        Some(Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?)))
-    }
-
-    /// A value with the slopes of its numbers; none where one of them is no number.
-    pub(super) fn value(&mut self, value: &Value) -> Option<Value> {
-        Some(match value {
-            Value::Number(number) => self.number(*number)?.into_value(),
-            Value::Point(DVec3 { x, y, z }) => {
-                Vector::new([self.real(*x)?, self.real(*y)?, self.real(*z)?]).into_value()
-            }
-            Value::Range(range) => {
-                let (start, end) = (self.number(range.start)?, self.number(range.end)?);
-                let is_plain = |end: &Number<Real>| matches!(end.value, Real::Plain(_));
-                if is_plain(&start) && is_plain(&end) {
-                    return Some(value.clone());
-                }
-                Value::JetRange(Arc::new(JetRange { start, end, closed: range.closed }))
-            }
-            Value::Curve(Curve::Nurbs(curve)) => self.curve(curve)?,
-            Value::Surface(Surface::Nurbs(surface)) => self.surface(surface)?,
-            Value::List(items) => {
-                let items: Option<Vec<Value>> =
-                    items.values().map(|item| self.value(&item)).collect();
-                Value::list(items?)
-            }
-            Value::Record(record) => {
-                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
-                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
-                Value::Record(Arc::new(Record::new(fields?)))
-            }
-            other => other.clone(),
-        })
-    }
 }

@@ -126,8 +126,15 @@ impl RealSurface {
     /// As for [`Surface::derivatives_at`], and where a derivative is no number.
     pub fn series_at(&self, [u, v]: [&Jet; 2], order: usize) -> Result<Grid<Vector>, GeomError> {
         if let Some(varied) = &self.varied {
-            let all = varied.derivatives_at([u, v], order)?;
-            return Ok(all.map(|jets| Vector::Jets(Box::new(jets.clone()))));
+            let beyond = || std::iter::repeat(Vector::Plain(glam::DVec3::ZERO));
+            let row = |own: Vec<[Jet; 3]>| {
+                own.into_iter()
+                    .map(|jets| Vector::Jets(Box::new(jets)))
+                    .chain(beyond())
+                    .take(order + 1)
+            };
+            let all = varied.derivatives_at([u, v], order)?.into_iter().flat_map(row).collect();
+            return Grid::new(order + 1, order + 1, all);
         }
         let n = u.order();
         let all = self.surface.derivatives_at(u.value(), v.value(), n + order)?;

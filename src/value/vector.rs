@@ -1,5 +1,7 @@
 //! Vectors in functions that may be differentiated: as they are, or of jets.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use super::Real;
@@ -12,6 +14,12 @@ pub enum Vector {
     Plain(DVec3),
     /// Coordinates that depend on the parameters of a function that is differentiated.
     Jets(Box<[Jet; 3]>),
+}
+
+/// Two vectors brought to one form.
+enum MatchedVectors<'a> {
+    Plain(DVec3, DVec3),
+    Jets(Cow<'a, [Jet; 3]>, Cow<'a, [Jet; 3]>),
 }
 
 impl Vector {
@@ -69,27 +77,60 @@ impl Vector {
         }
     }
 
-    fn zip(&self, other: &Self, f: impl Fn(&Real, &Real) -> Real) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.coordinates(), other.coordinates());
-        Self::new([f(&a, &x), f(&b, &y), f(&c, &z)])
+    /// Both as vectors of jets, unless both are plain.
+    fn with<'a>(&'a self, other: &'a Self) -> MatchedVectors<'a> {
+        let like = |vector: &DVec3, jets: &[Jet; 3]| {
+            Cow::Owned(vector.to_array().map(|coordinate| jets[0].same(coordinate)))
+        };
+        match (self, other) {
+            (Self::Plain(a), Self::Plain(b)) => MatchedVectors::Plain(*a, *b),
+            (Self::Jets(a), Self::Jets(b)) => {
+                MatchedVectors::Jets(Cow::Borrowed(&**a), Cow::Borrowed(&**b))
+            }
+            (Self::Jets(a), Self::Plain(b)) => {
+                MatchedVectors::Jets(Cow::Borrowed(&**a), like(b, a))
+            }
+            (Self::Plain(a), Self::Jets(b)) => {
+                MatchedVectors::Jets(like(a, b), Cow::Borrowed(&**b))
+            }
+        }
+    }
+
+    fn of_jets(coordinate: impl FnMut(usize) -> Jet) -> Self {
+        Self::Jets(Box::new([0, 1, 2].map(coordinate)))
     }
 
     /// The sum.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
-        self.zip(other, Real::plus)
+        match self.with(other) {
+            MatchedVectors::Plain(a, b) => Self::Plain(a + b),
+            MatchedVectors::Jets(a, b) => Self::of_jets(|axis| a[axis].plus(&b[axis])),
+        }
     }
 
     /// The difference.
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
-        self.zip(other, Real::minus)
+        match self.with(other) {
+            MatchedVectors::Plain(a, b) => Self::Plain(a - b),
+            MatchedVectors::Jets(a, b) => Self::of_jets(|axis| a[axis].minus(&b[axis])),
+        }
     }
 
     /// The product with a number.
     #[must_use]
     pub fn times(&self, factor: &Real) -> Self {
-        Self::new(self.coordinates().map(|coordinate| coordinate.times(factor)))
+        match (self, factor) {
+            (Self::Plain(vector), Real::Plain(factor)) => Self::Plain(*vector * *factor),
+            (Self::Plain(vector), Real::Jet(factor)) => {
+                Self::of_jets(|axis| factor.same(vector[axis]).times(factor))
+            }
+            (Self::Jets(jets), Real::Plain(factor)) => {
+                Self::of_jets(|axis| jets[axis].scaled(*factor))
+            }
+            (Self::Jets(jets), Real::Jet(factor)) => Self::of_jets(|axis| jets[axis].times(factor)),
+        }
     }
 
     /// The quotient by a number that is not zero.
@@ -104,16 +145,26 @@ impl Vector {
     /// The scalar product.
     #[must_use]
     pub fn dot(&self, other: &Self) -> Real {
-        let ([a, b, c], [x, y, z]) = (self.coordinates(), other.coordinates());
-        a.times(&x).plus(&b.times(&y)).plus(&c.times(&z))
+        match self.with(other) {
+            MatchedVectors::Plain(a, b) => Real::Plain(a.x * b.x + a.y * b.y + a.z * b.z),
+            MatchedVectors::Jets(a, b) => Real::Jet(Jet::dot(&a, &b)),
+        }
     }
 
     /// The vector product.
     #[must_use]
     pub fn cross(&self, other: &Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.coordinates(), other.coordinates());
-        let minor = |p: &Real, q: &Real, r: &Real, s: &Real| p.times(s).minus(&q.times(r));
-        Self::new([minor(&b, &c, &y, &z), minor(&c, &a, &z, &x), minor(&a, &b, &x, &y)])
+        match self.with(other) {
+            MatchedVectors::Plain(a, b) => Self::Plain(DVec3::new(
+                a.y * b.z - a.z * b.y,
+                a.z * b.x - a.x * b.z,
+                a.x * b.y - a.y * b.x,
+            )),
+            MatchedVectors::Jets(a, b) => {
+                let minor = |p: usize, q: usize| a[p].times(&b[q]).minus(&a[q].times(&b[p]));
+                Self::Jets(Box::new([minor(1, 2), minor(2, 0), minor(0, 1)]))
+            }
+        }
     }
 
     /// The length, without overflow on the way.

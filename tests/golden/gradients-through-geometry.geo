@@ -80,6 +80,18 @@ check every([keel, sheet], f = f => {
   abs(by.b - by_b) < 1e-8 and abs(by.h - by_h) < 1e-8
 })
 
+// A ray through a ball about its start leaves it at 2 (5, y, 1) / sqrt(26 + y^2); a ball that grows, further out.
+fn leaves(u) = intersect(line((0, 0), (5, u.y, 1)), sphere((0, 0), u.r))[0]
+check gradient(u => leaves(u).point.y, {y: 3, r: 2}) ~= {y: 52 / 35^1.5, r: 3 / sqrt(35)} within 1e-9
+check gradient(u => leaves(u).t, {y: 3, r: 2}) ~= {y: -6 / 35^1.5, r: 1 / sqrt(35)} within 1e-9
+// Through the seam, as smoothly as elsewhere.
+check gradient(z => intersect(sphere((0, 0), 2), line((0, 0), (5, 0, z)))[0].point.z, 1) ~= 50 / 26^1.5 within 1e-9
+
+// Of a net of control points each acts by its own share.
+fn net(h) = bspline([for i in 0..3: [for j in 0..3: (i, j, h[4 * i + j])]])
+fn share(k) = [1, 3, 3, 1][k] / 8
+check gradient(h => net(h)(0.5, 0.5).z, [for k in 0..15: k]) ~= [for k in 0..15: share(floor(k / 4)) * share(k % 4)] within 1e-12
+
 // Searches use them: the sheet of a can.
 let tin = minimize(u => area(can(u)), start = {r: 40mm, h: 40mm}, subject = u => volume(can(u)) ~= 1e6mm^3, report = true)
 check tin.at.h ~= 2 * tin.at.r within 1e-3 and tin.derivatives == "exact"

@@ -294,6 +294,56 @@ const MODELS: &[(&str, &str)] = &[
         "3",
     ),
     ("y => intersect(bezier((0, 0), (2, y), (4, 0)), circle((2, 0), 1.8))[0].point.x", "3"),
+    ("y => intersect(line((0, 0, 0), (5, y, 1)), sphere((0, 0), 2))[0].point.y", "3"),
+    ("y => intersect(line((0, 0, 0), (5, y, 1)), sphere((0, 0), 2))[0].u", "3"),
+    ("r => intersect(sphere((0, 0), r), line((1, 1, -9), (1, 1.5, 9)))[1].t", "4"),
+    (
+        "z => intersect(bezier((1, 2, -50), (3, 1, z), (1.5, 1.2, 50)), bspline([for i in 0..3: [for j in 0..3: (i, j, z * i * j)]]))[0].v",
+        "0.3",
+    ),
+    (
+        "h => area(gordon([for j in 0..2: bezier((0, j), (1, j, h[j]), (2, j))], [line((0, 0), (0, 2)), line((2, 0), (2, 2))], at_u = [0, 1], at_v = [0, 0.5, 1]))",
+        "[1, 2, 0.5]",
+    ),
+    (
+        "h => area(skin([for i in 0..3: bezier((0, 0, i), (2, h[i], i), (4, i, 0))]))",
+        "[1, 2, 0.5, 0.7]",
+    ),
+    (
+        "h => area(skin([for i in 0..3: bezier((0, h[i], i), (1 + h[i] / 2, 3, i), (4, i, h[0]))], parameters = \"uniform\"))",
+        "[1, 2, 0.5, 0.7]",
+    ),
+    ("h => area(cylinder((h[0], h[1]), h[2], h[3] + h[0]))", "[1, 2, 0.5, 0.7]"),
+    ("h => area(torus((h[0], h[1], h[2]), 3, 1))", "[1, 2, 0.5]"),
+    (
+        "h => length(interpolate([for i in 0..4: (i, h[i])], parameters = [0, 1, 2.5, 3, 4]))",
+        "[1, 2, 0.5, 0.7, 1.2]",
+    ),
+    (
+        "h => length(interpolate([for i in 0..4: (i, h[i])], parameters = \"uniform\", ends = \"natural\"))",
+        "[1, 2, 0.5, 0.7, 1.2]",
+    ),
+    (
+        "h => length(interpolate([for i in 0..4: polar(1 + h[i], i * 72deg)], parameters = [0, 1, 2, 3, 4, 5], degree = 4, closed = true))",
+        "[1, 2, 0.5, 0.7, 1.2]",
+    ),
+    (
+        "h => curvature(bspline([for i in 0..5: (i, h[i])], closed = true), 0.37) * 1mm",
+        "[1, 2, 0.5, 0.7, 1.2, -1]",
+    ),
+    (
+        "h => mean(bspline([for i in 0..4: [for j in 0..3: (i, j, h[i] * j)]]), 0.3, 0.6) * 1mm",
+        "[1, 2, 0.5, 0.7, 1.2]",
+    ),
+    (
+        "h => gaussian(nurbs([for i in 0..3: [for j in 0..3: (i, j + h[j] / 9, h[i] * j)]], weights = [for i in 0..3: [for j in 0..3: 1 + i * j / 4]]), 0.3, 0.6) * 1mm^2",
+        "[1, 2, 0.5, 0.7]",
+    ),
+    ("h => nurbs([for i in 0..3: (i, h[i])], weights = h)(0.3).y", "[1, 2, 0.5, 0.7]"),
+    (
+        "h => derivative(coons_bspline([for i in 0..3: [for j in 0..3: (i, j, h[i] * j)]], closed = {u: true, v: false}), 0.3, 0.6, du = 1, dv = 1).z",
+        "[1, 2, 0.5, 0.7]",
+    ),
 ];
 
 #[test]

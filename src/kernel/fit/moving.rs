@@ -30,6 +30,8 @@ pub(crate) struct MovingSpline<'a> {
     by_knots: KnotSlopes,
     /// The spline's slope at each parameter.
     along: Vec<DVec4>,
+    /// The functions of the knots that stand twice at each parameter: which is the first, and their values.
+    there: Vec<(usize, Vec<f64>)>,
 }
 
 /// How fast what a spline is made of moves.
@@ -61,10 +63,22 @@ impl<'a> MovingSpline<'a> {
         let Some(by_knots) = KnotSlopes::new(&fit.knots, &points)? else { return Ok(None) };
         let slope = |&t: &f64| derivative(&fit.knots, &points, t, 1);
         let along = parameters.iter().map(slope).collect();
+        let twice = by_knots.knots();
+        let acting =
+            |&t: &f64| twice.with_basis(t, |span, values| (span - twice.degree(), values.to_vec()));
+        let there = parameters.iter().map(acting).collect();
         let has_second_knots = ends != Ends::NotAKnot || fit.knots.degree() != 3;
-        let made =
-            Self { fit, parameters, values, tangents, has_second_knots, points, by_knots, along };
-        Ok(Some(made))
+        Ok(Some(Self {
+            fit,
+            parameters,
+            values,
+            tangents,
+            has_second_knots,
+            points,
+            by_knots,
+            along,
+            there,
+        }))
     }
 
     /// Its control points.
@@ -86,19 +100,18 @@ impl<'a> MovingSpline<'a> {
         }
     }
 
-    /// How fast its control points move, beside what its knots do.
-    pub(crate) fn point_speeds(&self, speeds: &SplineSpeeds<'_>) -> Vec<DVec4> {
-        let by_knots = self.by_knots.at_speeds(&self.knot_speeds(speeds.parameters));
-        let knots = self.by_knots.knots();
+    /// How fast its control points move, beside what its knots do, which is given.
+    fn point_speeds(&self, speeds: &SplineSpeeds<'_>, by_knots: &[DVec4]) -> Vec<DVec4> {
         let mut values: Vec<DVec4> = Vec::with_capacity(speeds.values.len() + 2);
         for (i, &value) in speeds.values.iter().enumerate() {
-            let there = derivative(knots, &by_knots, self.parameters[i], 0);
+            let (first, basis) = &self.there[i];
+            let there: DVec4 = by_knots[*first..].iter().zip(basis).map(|(&p, &n)| p * n).sum();
             values.push(value - self.along[i] * speeds.parameters[i] - there);
         }
         match &self.fit.equations {
             FactoredEquations::WithEnds(band, rows) => {
-                let start = self.end_speed(rows[0], false, speeds, &by_knots);
-                let end = self.end_speed(rows[1], true, speeds, &by_knots);
+                let start = self.end_speed(rows[0], false, speeds, by_knots);
+                let end = self.end_speed(rows[1], true, speeds, by_knots);
                 values.insert(1, start);
                 values.insert(values.len() - 1, end);
                 band.solve(&mut values);
@@ -148,14 +161,24 @@ impl<'a> MovingSpline<'a> {
     }
 
     /// The slopes of the control points over the knots that stand twice inside, which do not move: those of
-    /// its own control points and of its knots together.
+    /// its own control points and of its knots together; for each of the speeds.
     ///
     /// # Errors
     /// None but those of knots that cannot be.
-    pub(crate) fn slopes(&self, speeds: &SplineSpeeds<'_>) -> Result<Vec<DVec4>, GeomError> {
-        let own = with_knots_twice(&self.fit.knots, vec![self.point_speeds(speeds)])?;
-        let by_knots = self.by_knots.at_speeds(&self.knot_speeds(speeds.parameters));
-        Ok(own.concat().iter().zip(by_knots).map(|(own, by_knots)| own + by_knots).collect())
+    pub(crate) fn slopes(&self, all: &[SplineSpeeds<'_>]) -> Result<Vec<Vec<DVec4>>, GeomError> {
+        let mut by_knots = Vec::with_capacity(all.len());
+        let mut own = Vec::with_capacity(all.len());
+        for speeds in all {
+            GeomError::go_on(1)?;
+            let moved = self.by_knots.at_speeds(&self.knot_speeds(speeds.parameters));
+            own.push(self.point_speeds(speeds, &moved));
+            by_knots.push(moved);
+        }
+        let mut own = with_knots_twice(&self.fit.knots, own)?;
+        for (own, by_knots) in own.iter_mut().zip(&by_knots) {
+            own.iter_mut().zip(by_knots).for_each(|(own, by_knots)| *own += by_knots);
+        }
+        Ok(own)
     }
 }
 
@@ -246,14 +269,33 @@ pub fn interpolate_varied(
     else {
         return Ok(None);
     };
-    let mut all = Vec::with_capacity(slopes.by_variable().len());
-    for (variable, own) in slopes.by_variable() {
-        GeomError::go_on(1)?;
-        let Some(speeds) = rule.speeds(points, &parameters, own) else { return Ok(None) };
-        let speeds = SplineSpeeds { parameters: &speeds, values: own, tangents: [DVec4::ZERO; 2] };
-        all.push((*variable, spline.slopes(&speeds)?));
-    }
-    varied_on_own_knots(&spline, all, slopes.n_variables(), fit.curve(points)?)
+    let Some(own) = spline_slopes(&spline, rule, points, slopes)? else { return Ok(None) };
+    let variables = slopes.by_variable().iter().map(|(variable, _)| *variable);
+    varied_on_own_knots(
+        &spline,
+        variables.zip(own).collect(),
+        slopes.n_variables(),
+        fit.curve(points)?,
+    )
+}
+
+/// The slopes of a spline through points that vary, at parameters by a rule that move with them: by each variable that moves
+/// any. None where they are not known.
+fn spline_slopes(
+    spline: &MovingSpline<'_>,
+    rule: Parametrization,
+    points: &[DVec3],
+    slopes: &PointSlopes,
+) -> Result<Option<Vec<Vec<DVec4>>>, GeomError> {
+    let by_rule = |(_, own): &(usize, Vec<DVec4>)| rule.speeds(points, spline.parameters, own);
+    let speeds: Option<Vec<Vec<f64>>> = slopes.by_variable().iter().map(by_rule).collect();
+    let Some(speeds) = speeds else { return Ok(None) };
+    let tangents = [DVec4::ZERO; 2];
+    let pairs = speeds.iter().zip(slopes.by_variable());
+    let all: Vec<SplineSpeeds<'_>> = pairs
+        .map(|(parameters, (_, values))| SplineSpeeds { parameters, values, tangents })
+        .collect();
+    spline.slopes(&all).map(Some)
 }
 
 /// The spline with the slopes of its control points over the knots that do not move, as what it is on its own.
@@ -311,14 +353,11 @@ pub fn interpolate_varied_ring(
     let still = vec![0.0; points.len()];
     let (rest, tangents) = (vec![DVec4::ZERO; points.len()], [DVec4::ONE; 2]);
     let by_tangent =
-        spline.slopes(&SplineSpeeds { parameters: &still, values: &rest, tangents })?;
+        spline.slopes(&[SplineSpeeds { parameters: &still, values: &rest, tangents }])?.concat();
     let bend_by_tangent = bend(&by_tangent);
-    let mut all = Vec::with_capacity(slopes.by_variable().len());
-    for (variable, values) in slopes.by_variable() {
-        GeomError::go_on(1)?;
-        let Some(parameters) = rule.speeds(points, &parameters, values) else { return Ok(None) };
-        let tangents = [DVec4::ZERO; 2];
-        let mut own = spline.slopes(&SplineSpeeds { parameters: &parameters, values, tangents })?;
+    let Some(moved) = spline_slopes(&spline, rule, points, slopes)? else { return Ok(None) };
+    let mut all = Vec::with_capacity(moved.len());
+    for ((variable, _), mut own) in slopes.by_variable().iter().zip(moved) {
         let speed = -bend(&own) / bend_by_tangent;
         own.iter_mut().zip(&by_tangent).for_each(|(own, by_tangent)| *own += *by_tangent * speed);
         all.push((*variable, own));

@@ -120,11 +120,13 @@ fn moving_lines(
         let Some(spline) = spline.filter(|spline| are_near(spline.points(), line)) else {
             return Ok(None);
         };
-        let values = vec![DVec4::ZERO; values.len()];
-        for (found, (_, speeds)) in moving.iter_mut().zip(speeds) {
-            GeomError::go_on(1)?;
-            let speeds = SplineSpeeds { parameters: speeds, values: &values, tangents };
-            found.push(spline.slopes(&speeds)?);
+        let values = &vec![DVec4::ZERO; values.len()];
+        let all: Vec<SplineSpeeds<'_>> = speeds
+            .iter()
+            .map(|(_, parameters)| SplineSpeeds { parameters, values, tangents })
+            .collect();
+        for (found, own) in moving.iter_mut().zip(spline.slopes(&all)?) {
+            found.push(own);
         }
     }
     Ok(Some(moving))

@@ -6,7 +6,7 @@ use super::{
     interpolate::{EndRow, FactoredEquations, Interpolator},
     periodic::cut_to,
 };
-use crate::{CountError, FitError, GeomError, NurbsCurve};
+use crate::{CountError, FitError, GeomError, NurbsCurve, PointSlopes, VariedCurve};
 
 impl Interpolator {
     /// The control points of the spline through the values.
@@ -128,6 +128,24 @@ impl Interpolator {
         derivatives: &[DVec3],
     ) -> Result<NurbsCurve, GeomError> {
         self.polynomial(self.with_slopes(&lifted(points, 1.0), &lifted(derivatives, 0.0))?)
+    }
+
+    /// The curve through points that vary, the parameters and with them the knots of which do not.
+    ///
+    /// # Errors
+    /// Those of [`Self::through`], and fewer slopes than points.
+    pub fn varied(
+        &self,
+        curve: NurbsCurve,
+        slopes: &PointSlopes,
+    ) -> Result<VariedCurve, GeomError> {
+        let own = |(variable, own): &(usize, Vec<DVec4>)| -> Result<_, GeomError> {
+            Ok((*variable, self.through(&own[..own.len().min(self.n_values)])?))
+        };
+        let by_variable: Result<Vec<_>, GeomError> = slopes.by_variable().iter().map(own).collect();
+        let n_points = curve.control_points().len();
+        let slopes = PointSlopes::new(slopes.n_variables(), n_points, by_variable?)?;
+        VariedCurve::new(curve.into(), slopes)
     }
 
     /// The weights are one but for rounding.

@@ -114,8 +114,12 @@ impl Jet {
     /// # Errors
     /// [`LocalError::DerivativeBeyondNumbers`].
     pub fn with_slopes(value: f64, slopes: &[f64]) -> Result<Self, GeomError> {
-        let shape = JetShape::Several { n_variables: slopes.len() };
-        let coefficients = std::iter::once(value).chain(slopes.iter().copied()).collect();
+        Self::of_several(std::iter::once(value).chain(slopes.iter().copied()).collect())
+    }
+
+    /// The same of the number and its slopes in one.
+    pub(crate) fn of_several(coefficients: Vec<f64>) -> Result<Self, GeomError> {
+        let shape = JetShape::Several { n_variables: coefficients.len() - 1 };
         Self { shape, coefficients }.checked()
     }
 
@@ -291,6 +295,13 @@ impl Jet {
             product.coefficients[shape.place(i, j)] = sum;
         }
         product
+    }
+
+    /// The scalar product of vectors.
+    #[must_use]
+    pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {
+        let [x, y, z] = [0, 1, 2].map(|axis| a[axis].times(&b[axis]));
+        x.plus(&y).plus(&z)
     }
 
     /// The quotient.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{PointSlopes, binomials};
+use super::{PointSlopes, orders::Orders};
 use crate::{
     GeomError, Grid, Jet, LocalError, NurbsCurve, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -111,35 +111,52 @@ impl VariedCurve {
     ) -> Result<Vec<[Jet; 3]>, GeomError> {
         let span = self.curve.knots().span_beside(t.value(), side);
         let (space, slopes) = self.slopes_on(span, t.value(), order);
-        let spans =
-            [Side::Left, Side::Right].map(|side| self.curve.knots().span_beside(t.value(), side));
-        if self.given.is_some() && spans[0] != spans[1] {
-            self.check_meeting(spans, t.value(), order)?;
+        if self.given.is_some() {
+            let spans = [Side::Left, Side::Right]
+                .map(|side| self.curve.knots().span_beside(t.value(), side));
+            if spans[0] != spans[1] {
+                self.check_meeting(spans, t.value(), order)?;
+            }
         }
         let vector = |k: usize| {
-            let own: Vec<DVec3> = slopes.iter().map(|slopes| slopes[k]).collect();
-            self.slopes.vector(space[k], &own, &[(t, space[k + 1])])
+            let own = slopes.iter().map(|(variable, slopes)| (*variable, slopes[k]));
+            self.slopes.vector(space[k], own, &[(t, space[k + 1])])
         };
         (0..=order).map(vector).collect()
     }
 
-    /// Derivatives up to one more than an order by the piece over a span, and their slopes by each variable that the
-    /// points depend on, up to the order.
-    fn slopes_on(&self, span: usize, t: f64, order: usize) -> (Vec<DVec3>, Vec<Vec<DVec3>>) {
+    /// Derivatives up to one more than an order by the piece over a span, and their slopes by each variable that
+    /// moves it, up to the order.
+    fn slopes_on(
+        &self,
+        span: usize,
+        t: f64,
+        order: usize,
+    ) -> (Vec<DVec3>, Vec<(usize, Vec<DVec3>)>) {
         let knots = self.curve.knots();
         let weighted = self.curve.homogeneous_derivatives(span, t, order + 1);
         let space = homogeneous::quotient(&weighted);
+        let weights: Vec<f64> = weighted.iter().map(|derivative| derivative.w).collect();
         let basis = knots.basis_derivatives_on(span, t, order.min(knots.degree()));
-        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
-            space_slopes(&slopes[knots.support(span)], &basis, &weighted[..=order], &space)
+        let factors = Grid::from_fn(knots.degree() + 1, order + 1, |i, k| {
+            if k < basis.n_rows() { basis.get(k, i) } else { 0.0 }
+        });
+        let orders = Orders { most: order, of_surface: false };
+        let sums = self.slopes.sums(&[span - knots.degree()..span + 1], &factors);
+        let in_space = |(variable, own): (usize, Vec<DVec4>)| {
+            (variable, orders.in_space(&own, &weights, &space))
         };
-        let slopes = self.slopes.by_variable().iter().map(of_variable).collect();
-        (space, slopes)
+        (space.clone(), sums.into_iter().map(in_space).collect())
     }
 
     /// Fails where the pieces beside a knot that moves grow in different ways.
     fn check_meeting(&self, spans: [usize; 2], t: f64, order: usize) -> Result<(), GeomError> {
-        let [before, behind] = spans.map(|span| self.slopes_on(span, t, order).1);
+        let [before, behind] = spans.map(|span| {
+            let mut all = vec![vec![DVec3::ZERO; order + 1]; self.slopes.n_variables()];
+            let own = self.slopes_on(span, t, order).1;
+            own.into_iter().for_each(|(variable, slopes)| all[variable] = slopes);
+            all
+        });
         for (before, behind) in before.iter().flatten().zip(behind.iter().flatten()) {
             let size = before.length().max(behind.length()).max(self.curve.magnitude());
             if LAST_BIT.sqrt() * size < before.distance(*behind) {
@@ -150,26 +167,6 @@ impl VariedCurve {
         }
         Ok(())
     }
-}
-
-/// The slopes of derivatives in space from those of the acting control points: those of
-/// A⁽ᵏ⁾ − Σ (k over i) w⁽ⁱ⁾·C⁽ᵏ⁻ⁱ⁾ with C held, over w.
-fn space_slopes(
-    slopes: &[DVec4],
-    basis: &Grid<f64>,
-    weighted: &[DVec4],
-    space: &[DVec3],
-) -> Vec<DVec3> {
-    let contract = |k: usize| match k < basis.n_rows() {
-        true => slopes.iter().zip(basis.row(k)).map(|(&slope, &n)| slope * n).sum(),
-        false => DVec4::ZERO,
-    };
-    let own: Vec<DVec4> = (0..weighted.len()).map(contract).collect();
-    let numerator = |k: usize| {
-        let held = binomials(k).enumerate().map(|(i, b)| space[k - i] * (b * own[i].w));
-        (own[k].truncate() - held.sum::<DVec3>()).extend(weighted[k].w)
-    };
-    homogeneous::quotient(&(0..weighted.len()).map(numerator).collect::<Vec<_>>())
 }
 
 /// Whether a curve and one on fewer knots are the same, as far as p + 1 places on each span of the first tell.

@@ -13,11 +13,14 @@ mod curve;
 mod flux;
 pub(crate) mod knots;
 mod length;
+mod orders;
 mod surface;
 
-use glam::DVec4;
+use std::ops::Range;
 
-use super::{CountError, GeomError, Jet};
+use glam::{DVec3, DVec4};
+
+use super::{CountError, GeomError, Grid, Jet};
 
 pub use body::{RegionWay, VariedSolid};
 pub use border::VariedRegion;
@@ -43,6 +46,8 @@ pub struct PointSlopes {
     n_variables: usize,
     /// Those that are not all zero, with the index of the variable, in order.
     by_variable: Vec<(usize, Vec<DVec4>)>,
+    /// For each of these, from which point on up to which one they are not zero.
+    moving: Vec<Range<usize>>,
 }
 
 impl PointSlopes {
@@ -61,8 +66,11 @@ impl PointSlopes {
             }
             super::homogeneous::check_finite(slopes)?;
         }
-        let moves = |(_, slopes): &(usize, Vec<DVec4>)| slopes.iter().any(|s| *s != DVec4::ZERO);
-        Ok(Self { n_variables, by_variable: by_variable.into_iter().filter(moves).collect() })
+        let (by_variable, moving) = by_variable
+            .into_iter()
+            .filter_map(|own| nonzero(&own.1).map(|range| (own, range)))
+            .unzip();
+        Ok(Self { n_variables, by_variable, moving })
     }
 
     /// How many variables there are.
@@ -81,8 +89,9 @@ impl PointSlopes {
     #[must_use]
     pub fn through(&self, gradient: &[DVec4]) -> Vec<f64> {
         let mut all = vec![0.0; self.n_variables];
-        for (variable, slopes) in &self.by_variable {
-            all[*variable] = slopes.iter().zip(gradient).map(|(s, g)| s.dot(*g)).sum();
+        for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
+            let pairs = slopes[moving.clone()].iter().zip(&gradient[moving.clone()]);
+            all[*variable] = pairs.map(|(s, g)| s.dot(*g)).sum();
         }
         all
     }
@@ -98,28 +107,55 @@ impl PointSlopes {
         moved
     }
 
-    /// A vector of this value and with these slopes by the variables that the points depend on, where
-    /// parameters that vary too add theirs: each with how the vector grows with it.
+    /// Sums of the slopes of points with what acts on them, by each variable that moves one of them: of points that
+    /// stand in some ranges, with a row of factors for each point and a sum for each column.
+    fn sums(&self, acting: &[Range<usize>], factors: &Grid<f64>) -> Vec<(usize, Vec<DVec4>)> {
+        let mut found = Vec::new();
+        for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
+            let (mut sums, mut row) = (Vec::new(), 0);
+            for range in acting {
+                for idx in range.start.max(moving.start)..range.end.min(moving.end) {
+                    sums.resize(factors.n_columns(), DVec4::ZERO);
+                    let own = factors.row(row + idx - range.start);
+                    sums.iter_mut().zip(own).for_each(|(sum, factor)| *sum += slopes[idx] * factor);
+                }
+                row += range.len();
+            }
+            if !sums.is_empty() {
+                found.push((*variable, sums));
+            }
+        }
+        found
+    }
+
+    /// A vector of this value and with the slopes `own` by variables, where parameters that vary too add theirs: each
+    /// with how the vector grows with it.
     fn vector(
         &self,
-        value: glam::DVec3,
-        slopes: &[glam::DVec3],
-        parameters: &[(&Jet, glam::DVec3)],
+        value: DVec3,
+        own: impl Iterator<Item = (usize, DVec3)> + Clone,
+        parameters: &[(&Jet, DVec3)],
     ) -> Result<[Jet; 3], GeomError> {
         let coordinate = |axis: usize| {
-            let mut all = vec![0.0; self.n_variables];
-            for ((variable, _), slope) in self.by_variable.iter().zip(slopes) {
-                all[*variable] = slope[axis];
-            }
+            let mut all = vec![0.0; 1 + self.n_variables];
+            all[0] = value[axis];
+            own.clone().for_each(|(variable, slope)| all[1 + variable] = slope[axis]);
             for (parameter, growth) in parameters {
-                for (sum, slope) in all.iter_mut().zip(parameter.slopes()) {
+                for (sum, slope) in all[1..].iter_mut().zip(parameter.slopes()) {
                     *sum += growth[axis] * slope;
                 }
             }
-            Jet::with_slopes(value[axis], &all)
+            Jet::of_several(all)
         };
         Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
     }
+}
+
+/// From which slope on up to which one they are not zero; none where all are.
+fn nonzero(slopes: &[DVec4]) -> Option<Range<usize>> {
+    let moves = |slope: &DVec4| *slope != DVec4::ZERO;
+    let first = slopes.iter().position(moves)?;
+    Some(first..1 + slopes.iter().rposition(moves)?)
 }
 
 /// The binomial coefficients of a power.

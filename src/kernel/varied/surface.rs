@@ -1,10 +1,10 @@
 //! Surfaces whose control points depend on variables: their points and derivatives.
 
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 
 use glam::{DVec3, DVec4};
 
-use super::{PointSlopes, binomials};
+use super::{PointSlopes, orders::Orders};
 use crate::{
     CountError, GeomError, Grid, Jet, KnotVector, LocalError, NurbsSurface, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -23,7 +23,7 @@ use crate::{
 /// let varied = VariedSurface::new(Arc::new(square), slopes)?;
 /// let half = Jet::with_slopes(0.5, &[0.0])?;
 /// let middle = varied.derivatives_at([&half, &half], 0)?;
-/// assert_eq!(middle.row(0)[0][2].slopes(), [0.25]);
+/// assert_eq!(middle[0][0][2].slopes(), [0.25]);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -91,7 +91,7 @@ impl VariedSurface {
     }
 
     /// The point and derivatives at parameters that may vary with the variables: row k, column l holds the
-    /// one of order k in u and l in v, for both up to `order`.
+    /// one of order k in u and l in v, for all of a total order up to `order`.
     ///
     /// As [`VariedCurve::derivatives_beside`](crate::VariedCurve::derivatives_beside), in two parameters.
     ///
@@ -101,7 +101,7 @@ impl VariedSurface {
         &self,
         [u, v]: [&Jet; 2],
         order: usize,
-    ) -> Result<Grid<[Jet; 3]>, GeomError> {
+    ) -> Result<Vec<Vec<[Jet; 3]>>, GeomError> {
         let (knots_u, knots_v) = (self.surface.knots_u(), self.surface.knots_v());
         let place = [u.value(), v.value()];
         let spans = [knots_u.span_at(place[0]), knots_v.span_at(place[1])];
@@ -117,80 +117,93 @@ impl VariedSurface {
                 }
             }
         }
-        let vector = |(k, l): (usize, usize)| {
-            let own: Vec<DVec3> = slopes.iter().map(|slopes| slopes.get(k, l)).collect();
+        let orders = Orders { most: order, of_surface: true };
+        let vector = |k: usize, l: usize| {
+            let place = orders.place(k, l);
+            let own = slopes.iter().map(|(variable, slopes)| (*variable, slopes[place]));
             let growths = [(u, space.get(k + 1, l)), (v, space.get(k, l + 1))];
-            self.slopes.vector(space.get(k, l), &own, &growths)
+            self.slopes.vector(space.get(k, l), own, &growths)
         };
-        let orders = (0..=order).flat_map(|k| (0..=order).map(move |l| (k, l)));
-        Grid::new(order + 1, order + 1, orders.map(vector).collect::<Result<_, _>>()?)
+        (0..=order).map(|k| (0..=order - k).map(|l| vector(k, l)).collect()).collect()
     }
 
-    /// Derivatives up to one more than an order by the patch over spans, and their slopes by each variable that the points
-    /// depend on, up to the order.
+    /// Derivatives up to one more than an order by the patch over spans, and their slopes by each variable that moves it,
+    /// up to the order.
     fn slopes_on(
         &self,
         spans: [usize; 2],
-        place: [f64; 2],
+        [u, v]: [f64; 2],
         order: usize,
-    ) -> (Grid<DVec3>, Vec<Grid<DVec3>>) {
-        let weighted = self.surface.homogeneous_derivatives_on(spans, place, order + 1);
+    ) -> (Grid<DVec3>, Vec<(usize, Vec<DVec3>)>) {
+        let weighted = self.surface.homogeneous_derivatives_on(spans, [u, v], order + 1);
         let space = homogeneous::quotient_grid(&weighted);
-        let of_variable = |(_, slopes): &(usize, Vec<DVec4>)| {
-            let own = self.weighted_slopes(slopes, spans, place, order);
-            space_slopes(&own, &weighted, &space)
+        let orders = Orders { most: order, of_surface: true };
+        let weights: Vec<f64> = orders.all().map(|(k, l)| weighted.get(k, l).w).collect();
+        let held: Vec<DVec3> = orders.all().map(|(k, l)| space.get(k, l)).collect();
+        let (acting, factors) = self.acting(spans, [u, v], orders);
+        let in_space = |(variable, own): (usize, Vec<DVec4>)| {
+            (variable, orders.in_space(&own, &weights, &held))
         };
-        let slopes = self.slopes.by_variable().iter().map(of_variable).collect();
+        let slopes = self.slopes.sums(&acting, &factors).into_iter().map(in_space).collect();
         (space, slopes)
+    }
+
+    /// The control points that act on a patch, and by how much each does on the derivatives at a place.
+    fn acting(
+        &self,
+        [span_u, span_v]: [usize; 2],
+        [u, v]: [f64; 2],
+        orders: Orders,
+    ) -> (Vec<Range<usize>>, Grid<f64>) {
+        let (knots_u, knots_v) = (self.surface.knots_u(), self.surface.knots_v());
+        let [basis_u, basis_v] =
+            [(knots_u, span_u, u), (knots_v, span_v, v)].map(|(knots, span, t)| {
+                knots.basis_derivatives_on(span, t, orders.most.min(knots.degree()))
+            });
+        let n_columns = self.surface.control_points().n_columns();
+        let [support_u, support_v] = [(knots_u, span_u), (knots_v, span_v)]
+            .map(|(knots, span)| span - knots.degree()..span + 1);
+        let row = |i: usize| i * n_columns + support_v.start..i * n_columns + support_v.end;
+        let factor = |point: usize, (k, l): (usize, usize)| {
+            let (i, j) = (point / support_v.len(), point % support_v.len());
+            let is_any = k < basis_u.n_rows() && l < basis_v.n_rows();
+            if is_any { basis_u.get(k, i) * basis_v.get(l, j) } else { 0.0 }
+        };
+        let n_points = support_u.len() * support_v.len();
+        let factors = (0..n_points).flat_map(|point| orders.all().map(move |order| (point, order)));
+        let factors = factors.map(|(point, order)| factor(point, order)).collect();
+        let acting = support_u.map(row).collect();
+        (acting, Grid::from_rows_of(orders.len(), factors))
     }
 
     /// Fails where the patch beside a knot that moves grows in another way.
     fn check_meeting(
         &self,
-        slopes: &[Grid<DVec3>],
+        slopes: &[(usize, Vec<DVec3>)],
         spans: [usize; 2],
         place: [f64; 2],
         order: usize,
     ) -> Result<(), GeomError> {
         let (_, beside) = self.slopes_on(spans, place, order);
         let points = self.surface.points();
-        let vectors = slopes.iter().flat_map(Grid::as_slice).chain(points.as_slice());
-        let size = vectors.map(|vector| vector.length()).fold(0.0, f64::max);
+        let own = slopes.iter().flat_map(|(_, slopes)| slopes);
+        let size = own.chain(points.as_slice()).map(|vector| vector.length()).fold(0.0, f64::max);
         let allowed = LAST_BIT.sqrt() * size;
-        let orders = || (0..=order).flat_map(|k| (0..=order - k).map(move |l| (k, l)));
-        let differ = |(own, beside): (&Grid<DVec3>, &Grid<DVec3>)| {
-            orders().any(|(k, l)| allowed < own.get(k, l).distance(beside.get(k, l)))
+        let n_orders = Orders { most: order, of_surface: true }.len();
+        let still = vec![DVec3::ZERO; n_orders];
+        let of = |all: &[(usize, Vec<DVec3>)], variable: usize| {
+            let own = all.iter().find(|(moving, _)| *moving == variable);
+            own.map_or_else(|| still.clone(), |(_, slopes)| slopes.clone())
         };
-        if slopes.iter().zip(&beside).any(differ) {
+        let differ = |(variable, _): &(usize, Vec<DVec3>)| {
+            let (own, beside) = (of(slopes, *variable), of(&beside, *variable));
+            own.iter().zip(&beside).any(|(own, beside)| allowed < own.distance(*beside))
+        };
+        if slopes.iter().chain(&beside).any(differ) {
             let what = "the surface at its knot";
             return Err(LocalError::NotDifferentiable { what, at: place[0] }.into());
         }
         Ok(())
-    }
-
-    /// Homogeneous derivatives of the surface that has the slopes of one variable for control points.
-    fn weighted_slopes(
-        &self,
-        slopes: &[DVec4],
-        [span_u, span_v]: [usize; 2],
-        [u, v]: [f64; 2],
-        order: usize,
-    ) -> Grid<DVec4> {
-        let (knots_u, knots_v) = (self.surface.knots_u(), self.surface.knots_v());
-        let basis_u = knots_u.basis_derivatives_on(span_u, u, order.min(knots_u.degree()));
-        let basis_v = knots_v.basis_derivatives_on(span_v, v, order.min(knots_v.degree()));
-        let n_columns = self.surface.control_points().n_columns();
-        Grid::from_fn(order + 1, order + 1, |k, l| {
-            let mut sum = DVec4::ZERO;
-            if k < basis_u.n_rows() && l < basis_v.n_rows() {
-                for (i, &n_u) in knots_u.support(span_u).zip(basis_u.row(k)) {
-                    for (j, &n_v) in knots_v.support(span_v).zip(basis_v.row(l)) {
-                        sum += slopes[i * n_columns + j] * (n_u * n_v);
-                    }
-                }
-            }
-            sum
-        })
     }
 }
 
@@ -215,18 +228,4 @@ fn is_same(fine: &NurbsSurface, coarse: &NurbsSurface) -> bool {
     let size = fine.as_slice().iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
     let pairs = fine.as_slice().iter().zip(coarse.as_slice());
     pairs.map(|(a, b)| a.distance(*b)).fold(0.0, f64::max) <= EXACT_RELATIVE * size
-}
-
-/// The slopes of derivatives in space, from those of the homogeneous ones.
-fn space_slopes(own: &Grid<DVec4>, weighted: &Grid<DVec4>, space: &Grid<DVec3>) -> Grid<DVec3> {
-    let numerators = Grid::from_fn(own.n_rows(), own.n_columns(), |k, l| {
-        let mut sum = own.get(k, l).truncate();
-        for (i, of_u) in binomials(k).enumerate() {
-            for (j, of_v) in binomials(l).enumerate() {
-                sum -= space.get(k - i, l - j) * (of_u * of_v * own.get(i, j).w);
-            }
-        }
-        sum.extend(weighted.get(k, l).w)
-    });
-    homogeneous::quotient_grid(&numerators)
 }

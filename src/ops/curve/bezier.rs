@@ -25,7 +25,7 @@ op! {
     refuses "bezier([])" => "E0601: `bezier`: `points` must be a list of 1 or more points, found an empty list";
     refuses "bezier([(0, 0), (1, 2), (2, 0)], weights = [1, 3])" => "E0603: 3 control points need 3 weights, got 2";
     refuses "bezier([(0, 0), (1, 2), (2, 0)], weights = [1, -3, 1])" => "E0603: weight 1 is -3; weights are not negative";
-    derivative affine;
+    derivative control_points;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

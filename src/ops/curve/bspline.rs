@@ -29,7 +29,7 @@ op! {
     refuses "bspline((0, 0), (1, 2), (2, 0))" => "E0601: 3 points are too few for degree 3, which needs 4 or more";
     refuses "bspline((0, 0), (1, 2), (2, 0), degree = 2, knots = [0, 0, 1, 1])" => "E0602: 3 control points of degree 2 need 6 knots, got 4";
     refuses "bspline((0, 0), (1, 2), (2, 0), degree = 2, knots = [0, 0, 1, 0, 1, 1])" => "E0602: knot 3 is 0, below the 1 before it; knots never decrease";
-    derivative affine;
+    derivative control_points;
     picture "bspline((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))";
 }
 

@@ -25,7 +25,7 @@ op! {
     example "clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4))(1)" => "(5, 4, 0)";
     example "clamped((1, 1), (3, 1), (5, 7), (7, 1), (9, 4)).knots" => "[0, 0, 0, 0, 1, 2, 2, 2, 2]";
     refuses "clamped((0, 0), (1, 2), (2, 0))" => "E0601: 3 points are too few for degree 3, which needs 4 or more";
-    derivative affine;
+    derivative control_points;
     picture "clamped((0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1))";
 }
 

@@ -28,7 +28,7 @@ op! {
     refuses "coons_bspline((0, 0), (1, 2), (2, 0))" => "E0601: a cubic needs 4 points or more, found 3";
     refuses "coons_bspline((0, 0))" => "E0601: a cubic needs 4 points or more, found 1";
     refuses "coons_bspline((0, 0), (1, 2), closed = true)" => "E0601: a closed curve needs 3 points or more, found 2";
-    derivative affine;
+    derivative control_points;
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {

@@ -11,7 +11,7 @@ use crate::{
         ConstructionReport, Curve, Ends, Interpolator, NurbsCurve, Parametrization, PointSlopes,
         interpolate_varied, interpolate_varied_ring,
     },
-    value::{At, AtLeast, CARRIES_DERIVATIVES, Call, Ctx, RealCurve, Vector, op},
+    value::{At, AtLeast, CARRIES_DERIVATIVES, Call, Ctx, RealCurve, Value, Vector, op, varies},
 };
 
 op! {
@@ -50,18 +50,31 @@ op! {
     refuses "interpolate((0, 0), (1, 1), (1, 1), (2, 0))" => "E0607: points 1 and 2 are at one place";
     refuses "interpolate((0, 0), (1, 1), (2, 0), parameters = [0, 2, 1])" => "E0610: parameter 2 is 1, not above the 2 before it; parameters increase";
     refuses "interpolate((0, 0), (1, 1), (2, 0), ends = \"clamped\")" => "E0401: \"clamped\" ends need their tangents";
-    derivative affine unless is_of_moving_knots;
+    derivative affine unless has_known_slopes;
     scene r#"
         points p = [(0, 0), (1, 2), (3, 1), (4, 3), (6, 0), (7, 1)] with (color = "red")
         curve c = interpolate(p)
     "#;
 }
 
-/// Whether the knots move with the points, and the spline has slopes nevertheless.
-fn is_of_moving_knots(call: &Call) -> bool {
-    let is_taken =
-        |name: &str| matches!(name, "degree" | "parameters" | "ends" | "points" | "closed");
-    moves_knots(call) && call.named.iter().all(|(name, _)| is_taken(&name.value))
+/// Whether the slopes of the spline are those of its equations: where nothing but the points moves, and the knots
+/// either stay or move with them by a smooth rule.
+fn has_known_slopes(call: &Call) -> bool {
+    let is_known = |name: &str, given: &Value| match name {
+        "points" => true,
+        "degree" | "ends" | "closed" => !varies(given),
+        "parameters" => moves_knots(call) || stays(given),
+        _ => false,
+    };
+    call.named.iter().all(|(name, given)| is_known(&name.value, &given.value))
+}
+
+/// Whether parameters are the same wherever the points are.
+fn stays(parameters: &Value) -> bool {
+    match parameters {
+        Value::Text(rule) => &**rule == "uniform",
+        listed => !varies(listed),
+    }
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealCurve> {
@@ -73,7 +86,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealCurve> {
         return spline(ctx, args, points).map(|curve| RealCurve::from(Curve::from(curve)));
     };
     let (span, degree) = (args.points.span, args.degree.value);
-    let Parameters::By(rule) = args.parameters.value else { return no_slopes(ctx.span) };
+    let rule = match args.parameters.value {
+        Parameters::By(rule) if rule != Parametrization::Uniform => rule,
+        _ => return on_fixed_knots(ctx, args, points, &slopes),
+    };
     if args.closed {
         return closed_varied(ctx, (degree, rule, args.parameters), (points, &slopes), span);
     }
@@ -82,6 +98,29 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealCurve> {
     let fit = Interpolator::new(&parameters, degree, ends).at(span)?;
     let varied = interpolate_varied((&fit, ends), rule, &points, &slopes).at(span)?;
     varied.map_or_else(|| no_slopes(ctx.span), |varied| Ok(Arc::new(varied).into()))
+}
+
+/// The curve through points that vary, whose parameters do not.
+fn on_fixed_knots(
+    ctx: &Ctx<'_>,
+    args: Args,
+    points: Vec<DVec3>,
+    slopes: &PointSlopes,
+) -> Result<RealCurve> {
+    let (span, degree) = (args.points.span, args.degree.value);
+    let (fit, curve, parameters);
+    if args.closed {
+        let (around, found) = ring(ctx, args.parameters, (points, span))?;
+        fit = Interpolator::periodic(&found, degree).at(span)?;
+        curve = fit.curve(&around[..around.len() - 1]).at(span)?;
+        parameters = found;
+    } else {
+        parameters = distinct_parameters(args.parameters, Spanned::new(&points[..], span))?;
+        let ends = ends_for(args.ends.value, points.len(), degree);
+        fit = Interpolator::new(&parameters, degree, ends).at(span)?;
+        curve = fit.curve(&points).at(span)?;
+    }
+    Ok(Arc::new(fit.varied(reporting(curve, parameters), slopes).at(span)?).into())
 }
 
 /// Fails: a polygon tears where a corner moves along it, and so do others.

@@ -28,7 +28,7 @@ op! {
     example "nurbs((1, 0), (1, 1), (0, 1), weights = [1, 1, 2], degree = 2)(0.5) ~= (0.6, 0.8)" => "true";
     refuses "nurbs((0, 0), (1, 2), (2, 0), weights = [1, 1], degree = 2)" => "E0603: 3 control points need 3 weights, got 2";
     refuses "nurbs((0, 0), (1, 2), (2, 0), weights = [0, 1, 1], degree = 2)" => "E0603: weight 0 is 0; the first and the last weight are positive";
-    derivative affine;
+    derivative control_points;
     picture "nurbs((0, 0), (1, 3), (3, 3), (4, 0), weights = [1, 4, 1, 1])";
 }
 

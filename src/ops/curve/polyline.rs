@@ -20,7 +20,7 @@ op! {
     example "polyline((0, 0), (2, 0), (2, 2), closed = true).domain" => "0..3";
     example "polyline((0, 0), (2, 0), (2, 2), (0, 0), closed = true).domain" => "0..3";
     refuses "polyline([(0, 0)])" => "E0601: `polyline`: `points` must be a list of 2 or more points, found a list of 1 point";
-    derivative affine;
+    derivative control_points;
     picture "polyline((0, 0), (1, 2), (3, 1), (4, 3))";
 }
 

@@ -6,6 +6,7 @@ mod continuity_limits;
 mod curve;
 mod describe;
 mod picture;
+mod piercing;
 mod report;
 mod surface;
 

@@ -21,7 +21,7 @@ op! {
     example "bezier([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]])(0.5, 0.5)" => "(0.5, 0.5, 1)";
     refuses "bezier([[(0, 0), (0, 1)], [(1, 0)]])" => "E0605: `bezier`: `points`: row 1 has 1 point, row 0 has 2; every row needs the same number";
     refuses "bezier([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], weights = [[1, 1], [1, 0]])" => "E0603: the weights vanish together at (1, 1), which leaves no point there";
-    derivative affine;
+    derivative control_points;
     picture "bezier([[(0, 0, 0), (0, 2, 1), (0, 4, 0)], [(2, 0, 1), (2, 2, 4), (2, 4, 1)], [(4, 0, 0), (4, 2, 1), (4, 4, 0)]])";
 }
 

@@ -22,7 +22,7 @@ op! {
     example "bspline([for i in 0..3: [for j in 0..3: (i, j)]])(0.5, 0.5)" => "(1.5, 1.5, 0)";
     refuses "bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])" => "E0601: along u: 2 points are too few for degree 3, which needs 4 or more";
     refuses "bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], degree = 1, knots = [0, 0, 1])" => "E0602: along u: 2 control points of degree 1 need 4 knots, got 3";
-    derivative affine;
+    derivative control_points;
     picture "bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 

@@ -20,7 +20,7 @@ op! {
     }
     example "clamped([for i in 0..4: [for j in 0..3: (i, j)]]).domain_u" => "0..2";
     refuses "clamped([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])" => "E0601: along u: 2 points are too few for degree 3, which needs 4 or more";
-    derivative affine;
+    derivative control_points;
     picture "clamped([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 

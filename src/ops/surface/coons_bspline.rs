@@ -28,7 +28,7 @@ op! {
     example "coons_bspline([for i in 0..3: [for j in 0..3: (i, j, i * j)]])(0.5, 0.5) ~= (1.5, 1.5, 2.25)" => "true";
     example "coons_bspline([for i in 0..5: [for j in 0..3: (j, polar(1, i * 60deg).y, i)]], closed = {u: true, v: false}).patches" => "[6, 1]";
     refuses "coons_bspline([[(0, 0), (0, 1)], [(1, 0), (1, 1)]])" => "E0601: along u: a cubic needs 4 points or more, found 2";
-    derivative affine;
+    derivative control_points;
     picture "coons_bspline([for i in 0..5: [for j in 0..5: (i, j, sin(i)*cos(j))]])";
 }
 

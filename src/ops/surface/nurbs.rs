@@ -25,7 +25,7 @@ op! {
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], degree = 1).rational" => "false";
     example "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1, 4)]], weights = [[1, 1], [1, 2]], degree = 1)(1, 0.5)" => "(1, 0.6666666666666666, 2.6666666666666665)";
     refuses "nurbs([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], weights = [[1, 1]], degree = 1)" => "E0603: there are 2 x 2 points, but 1 x 2 weights; each point needs one";
-    derivative affine;
+    derivative control_points;
     scene r#"
         surface s = nurbs([for i in 0..4: [for j in 0..4: (i, j, if i == 2 and j == 2 then 4 else 0)]], weights = [for i in 0..4: [for j in 0..4: if i == 2 and j == 2 then 8 else 1]], degree = 2)
     "#;

@@ -105,6 +105,19 @@ impl Surface {
         }
     }
 
+    /// Whether the surface goes on around a place to all sides, across a seam too, with derivatives that do not jump; a
+    /// parametric surface inside of its domain.
+    #[must_use]
+    pub fn is_smooth_around(&self, u: f64, v: f64) -> bool {
+        let is_inside = |domain: Interval, t: f64| domain.start() < t && t < domain.end();
+        match self {
+            Self::Nurbs(surface) => surface.is_smooth_around(u, v),
+            Self::Parametric(surface) => {
+                is_inside(surface.domain_u(), u) && is_inside(surface.domain_v(), v)
+            }
+        }
+    }
+
     /// Point, Su and Sv at `(u, v)`.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::{
-    Side,
+    Interval, Side,
     frame::unit,
     homogeneous,
     surface::{Direction, NurbsSurface},
@@ -64,6 +64,30 @@ impl NurbsSurface {
         let is_torn = SMOOTH_RELATIVE * most * self.domain(along).length() < gap;
         (is_torn || SMOOTH_RELATIVE * most < jump)
             .then_some(Crease { at: t, is_crease: is_crease || is_torn })
+    }
+
+    /// Whether the surface goes on around a place to all sides, across a seam too, with derivatives that do not jump.
+    #[must_use]
+    pub fn is_smooth_around(&self, u: f64, v: f64) -> bool {
+        let sides = |along: Direction, t: f64| {
+            let (start, end) = (self.domain(along).start(), self.domain(along).end());
+            match t {
+                t if t <= start || end <= t => [(end, Side::Left), (start, Side::Right)],
+                t => [(t, Side::Left), (t, Side::Right)],
+            }
+        };
+        let (along_u, along_v) = (sides(Direction::U, u), sides(Direction::V, v));
+        let all = along_u
+            .map(|(u, in_u)| along_v.map(|(v, in_v)| self.tangents_beside([u, v], [in_u, in_v])));
+        let [point, by_u, by_v] = all[0][0];
+        let (length_u, length_v) = (by_u.length(), by_v.length());
+        let lengths = [self.domain(Direction::U), self.domain(Direction::V)].map(Interval::length);
+        let size = length_u * lengths[0] + length_v * lengths[1];
+        all.as_flattened().iter().all(|other| {
+            other[0].distance(point) <= SMOOTH_RELATIVE * size
+                && other[1].distance(by_u) <= SMOOTH_RELATIVE * length_u
+                && other[2].distance(by_v) <= SMOOTH_RELATIVE * length_v
+        })
     }
 
     /// Point, Su and Sv of the pieces on these sides of a place.

@@ -6,7 +6,7 @@ use super::varying;
 use crate::{
     diag::{Result, Span},
     kernel::{CurveIntersection, Side},
-    ops::{face::SurfaceOrFace, measure::picture},
+    ops::{face::RealSurfaceOrFace, measure::piercing::pierced},
     value::{At, Ctx, FromValue, IntoValue, Mismatch, Real, RealCurve, Record, Type, Value, op},
 };
 
@@ -21,7 +21,7 @@ op! {
     /// A parametric curve is searched as the spline that `length` tells of; each place is then found
     /// on the function itself.
     /// Where two curves cross clearly, inside of both, derivatives pass through; of what moves out of the plane of both
-    /// tangents there is none in `t` and `s`.
+    /// tangents there is none in `t` and `s`. So they do where a curve crosses a surface.
     /// Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990).
     intersect in Measure -> Vec<Record> {
         /// One curve.
@@ -33,6 +33,7 @@ op! {
     example "intersect(line((0, 0), (1, 0)), line((0, 1), (1, 1)))" => "[]";
     example "intersect(line((0, 0, -1), (0, 0, 3)), plane_patch((-1, -1), (2, 0), (0, 2)))" => "[{t: 0.25, u: 0.5, v: 0.5, point: (0, 0, 0)}]";
     example "gradient(h => intersect(line((0, 0), (4, 4)), line((0, h), (4, h)))[0].t, 2) ~= 1/4" => "true";
+    example "gradient(z => intersect(line((0, 0), (0, 0, 4)), plane_patch((-1, -1, z), (2, 0), (0, 2)))[0].t, 2) ~= 1/4" => "true";
     refuses "intersect(line((0, 0), (4, 0)), line((1, 0), (3, 0)))" => "E0607: the curves run together from parameter 0.25 to 0.75 of the first";
     scene r#"
         curve a = bezier((0, 0), (1, 3), (3, -2), (4, 1))
@@ -45,7 +46,7 @@ op! {
 #[derive(Clone)]
 enum CurvePartner {
     Curve(RealCurve),
-    Surface(SurfaceOrFace),
+    Surface(RealSurfaceOrFace),
 }
 
 impl FromValue for CurvePartner {
@@ -56,8 +57,8 @@ impl FromValue for CurvePartner {
             Value::Curve(_) | Value::JetCurve(_) => {
                 RealCurve::from_value(value, span).map(Self::Curve)
             }
-            Value::Surface(_) | Value::Face(_) => {
-                SurfaceOrFace::from_value(value, span).map(Self::Surface)
+            Value::Surface(_) | Value::JetSurface(_) | Value::Face(_) => {
+                RealSurfaceOrFace::from_value(value, span).map(Self::Surface)
             }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -67,10 +68,7 @@ impl FromValue for CurvePartner {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Record>> {
     let other = match &args.b {
         CurvePartner::Curve(curve) => curve,
-        CurvePartner::Surface(_) if args.a.varied().is_some() => {
-            return varying::no_derivative("`intersect` with a surface", ctx.span);
-        }
-        CurvePartner::Surface(surface) => return picture::pierced(ctx, &args.a, surface),
+        CurvePartner::Surface(surface) => return pierced(ctx, &args.a, surface),
     };
     let meetings = args.a.intersections(other, ctx.tolerance.distance).at(ctx.span)?;
     meetings

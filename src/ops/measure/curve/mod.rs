@@ -39,7 +39,7 @@ pub(super) mod signed_curvature;
 pub(super) mod tangent;
 pub(super) mod tangent_line;
 pub(super) mod torsion;
-mod varying;
+pub(super) mod varying;
 pub(super) mod vertices;
 
 use crate::{

@@ -315,7 +315,7 @@ pub(super) fn meeting(curves: [&RealCurve; 2], place: [f64; 2]) -> Measured<Opti
 }
 
 /// The derivative at a place inside of a curve where it has no corner.
-fn tangent_inside(curve: &RealCurve, t: f64) -> Measured<DVec3> {
+pub(in crate::ops::measure) fn tangent_inside(curve: &RealCurve, t: f64) -> Measured<DVec3> {
     let domain = curve.domain();
     let [before, behind] =
         [Side::Left, Side::Right].map(|side| curve.derivatives_beside(t, side, 1));
@@ -334,7 +334,7 @@ fn no_crossing(at: f64) -> GeomError {
 }
 
 /// Fails: no derivative passes through what is named.
-pub(super) fn no_derivative<T>(what: &str, span: Span) -> Result<T> {
+pub(in crate::ops::measure) fn no_derivative<T>(what: &str, span: Span) -> Result<T> {
     let message = format!("{what}: no derivative passes through here, and derivatives are wanted");
     Diagnostic::error(Code::NoDerivative, span, message).hint(CARRIES_DERIVATIVES).fail()
 }

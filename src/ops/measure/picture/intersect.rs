@@ -2,12 +2,15 @@
 
 use std::sync::Arc;
 
-use super::{lines, pierced};
+use super::lines;
 use crate::{
     diag::{Result, Span},
-    kernel::{Curve, LevelSet, NurbsCurve, Surface, SurfaceCurve},
-    ops::face::SurfaceOrFace,
-    value::{At, Ctx, FromValue, IntoValue, Mismatch, Type, Value, op},
+    kernel::{LevelSet, NurbsCurve, Surface, SurfaceCurve},
+    ops::{
+        face::{RealSurfaceOrFace, SurfaceOrFace},
+        measure::{curve::varying::no_derivative, piercing::pierced},
+    },
+    value::{At, Ctx, FromValue, IntoValue, Mismatch, RealCurve, Type, Value, op},
 };
 
 op! {
@@ -24,11 +27,12 @@ op! {
     /// tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
     /// is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
     /// within a part of the tolerance. `report` of a curve tells whether it is proven, and how far from both surfaces it may be.
+    /// Where a curve crosses clearly, inside of both, derivatives pass through.
     /// Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988);
     /// Ye & Maekawa, *Differential geometry of intersection curves of two surfaces*, CAGD 16 (1999).
     intersect in Measure -> Vec<Value> {
         /// A surface or face.
-        a: SurfaceOrFace,
+        a: RealSurfaceOrFace,
         /// Another surface or face, or a curve.
         b: SurfacePartner,
     }
@@ -47,8 +51,8 @@ op! {
 /// What a surface meets.
 #[derive(Clone)]
 enum SurfacePartner {
-    Curve(Curve),
-    Surface(SurfaceOrFace),
+    Curve(RealCurve),
+    Surface(RealSurfaceOrFace),
 }
 
 impl FromValue for SurfacePartner {
@@ -56,9 +60,11 @@ impl FromValue for SurfacePartner {
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {
         match value {
-            Value::Curve(curve) => Ok(Self::Curve(curve.clone())),
-            Value::Surface(_) | Value::Face(_) => {
-                SurfaceOrFace::from_value(value, span).map(Self::Surface)
+            Value::Curve(_) | Value::JetCurve(_) => {
+                RealCurve::from_value(value, span).map(Self::Curve)
+            }
+            Value::Surface(_) | Value::JetSurface(_) | Value::Face(_) => {
+                RealSurfaceOrFace::from_value(value, span).map(Self::Surface)
             }
             _ => Err(Mismatch::kind(Self::TYPE, value)),
         }
@@ -79,6 +85,11 @@ fn reported(curve: NurbsCurve, surfaces: [&Surface; 2], ctx: &Ctx<'_>) -> NurbsC
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Value>> {
     match &args.b {
+        SurfacePartner::Surface(other)
+            if args.a.real().varied().is_some() || other.real().varied().is_some() =>
+        {
+            no_derivative("`intersect` of surfaces", ctx.span)
+        }
         SurfacePartner::Surface(other) => {
             let set = args.a.intersections(other, ctx.tolerance).at(ctx.span)?;
             let set = on_faces(set, [&args.a, other], ctx);

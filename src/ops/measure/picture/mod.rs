@@ -16,9 +16,8 @@ use glam::DVec3;
 
 use crate::{
     diag::{Code, Diagnostic, Result},
-    kernel::{Curve, Frame, LevelSet, NurbsCurve, Surface, SurfaceCurve},
-    ops::face::SurfaceOrFace,
-    value::{At, Ctx, Record, Value, shortest},
+    kernel::{Frame, LevelSet, NurbsCurve, Surface, SurfaceCurve},
+    value::{At, Ctx, shortest},
 };
 
 /// The lines of a surface in a plane; of touches in a point, which are no lines, a warning tells.
@@ -65,25 +64,6 @@ fn lines(ctx: &mut Ctx<'_>, set: LevelSet, what: &str) -> Vec<NurbsCurve> {
 fn place_of(ctx: &Ctx<'_>, point: DVec3) -> String {
     let [x, y, z] = point.to_array().map(|x| shortest(to_digits(x, ctx.tolerance.distance)));
     format!("({x}, {y}, {z})")
-}
-
-/// The places of a curve on a surface, as scripts see them.
-pub(super) fn pierced(
-    ctx: &Ctx<'_>,
-    curve: &Curve,
-    surface: &SurfaceOrFace,
-) -> Result<Vec<Record>> {
-    let places = surface.piercings(curve, ctx.tolerance).at(ctx.span)?;
-    let record = |place: crate::kernel::CurveSurfaceIntersection| {
-        Record::new([
-            (Arc::from("t"), Value::number(place.t)),
-            (Arc::from("u"), Value::number(place.uv[0])),
-            (Arc::from("v"), Value::number(place.uv[1])),
-            (Arc::from("point"), Value::Point(place.point)),
-        ])
-    };
-    let places = places.into_iter().filter(|place| surface.has(place.uv, ctx.tolerance));
-    Ok(places.map(record).collect())
 }
 
 /// A coordinate without the digits that the tolerance leaves open.
