@@ -7,6 +7,7 @@ mod errors;
 mod faults;
 mod fixes;
 mod formats;
+mod formatting;
 mod fresh_names;
 mod golden;
 mod ide;
