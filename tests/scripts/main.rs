@@ -29,3 +29,4 @@ mod support;
 mod syntax;
 mod tidy;
 mod unmeasurable;
+mod writing;
