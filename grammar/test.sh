@@ -46,6 +46,6 @@ tree-sitter test
 # Fails if any tree has an ERROR or a MISSING node; then the trees tell where.
 tree-sitter parse --quiet --stat --paths "$tools/scripts"
 # The queries name only what the grammar has.
-for query in queries/*.scm "$OLDPWD"/editors/helix/queries/virote/*.scm; do
+for query in queries/*.scm "$OLDPWD"/editors/helix/queries/virote/*.scm "$OLDPWD"/editors/zed/languages/virote/*.scm; do
     tree-sitter query --quiet "$query" "$(head -1 "$tools/scripts")"
 done

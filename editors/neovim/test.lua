@@ -1,6 +1,16 @@
 -- Neovim, headless, with `virote lsp`: what its buffers show. Run by test.sh, which names the command.
 
+-- Its settings are those of docs/editors.md, with the command found on the path.
+
 local command = assert(os.getenv("VIROTE"), "VIROTE names the command")
+assert(vim.fn.fnamemodify(command, ":t") == "virote", "the command is called virote")
+vim.env.PATH = vim.fn.fnamemodify(command, ":p:h") .. ":" .. vim.env.PATH
+
+local function documented()
+  local here = vim.fn.fnamemodify(debug.getinfo(1, "S").source:sub(2), ":p:h")
+  local page = table.concat(vim.fn.readfile(here .. "/../../docs/editors.md"), "\n")
+  return assert(page:match("\n## Neovim\n.-\n```lua\n(.-)\n```"), "the page has lines for Neovim")
+end
 
 local function wait_for(what, condition)
   assert(vim.wait(60000, condition, 20), "waited in vain for " .. what)
@@ -15,10 +25,17 @@ local function test()
   vim.fn.mkdir(folder)
   local path = folder .. "/main.geo"
   vim.fn.writefile({ "/// How wide. 🫖", "let   width = 27.2mm", "print /* 🫖 */ widht" }, path)
+  assert(loadstring(documented()))()
   vim.cmd("edit " .. path)
   local buffer = vim.api.nvim_get_current_buf()
-  local id = vim.lsp.start_client({ name = "virote", cmd = { command, "lsp" }, root_dir = folder })
-  vim.lsp.buf_attach_client(buffer, id)
+  same("the language", vim.bo.filetype, "virote")
+  same("how comments begin", vim.bo.commentstring, "// %s")
+  local function clients()
+    local get = vim.lsp.get_clients or vim.lsp.get_active_clients
+    return vim.tbl_filter(function(client) return client.name == "virote" end, get())
+  end
+  wait_for("the server", function() return #clients() == 1 end)
+  local id = clients()[1].id
 
   local function findings()
     return vim.diagnostic.get(buffer)

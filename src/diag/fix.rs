@@ -39,6 +39,16 @@ impl Fix {
         Some(Self { title: format!("write `.{near}`"), edits: vec![(span, near.to_owned())] })
     }
 
+    /// Another name at the end of a string with a file's path; none where the string cannot end so.
+    #[must_use]
+    pub fn file_name(string: Span, name: &str, near: &str) -> Option<Self> {
+        let end = string.end.checked_sub(1)?;
+        let start = end.checked_sub(u32::try_from(name.len()).ok()?)?;
+        let span = Span { start, end };
+        let title = format!("write `{near}`");
+        (string.start < start).then(|| Self { title, edits: vec![(span, near.to_owned())] })
+    }
+
     /// `text` at `span`, which is empty.
     pub fn insert(span: Span, text: impl Into<String>) -> Self {
         let text = text.into();

@@ -40,6 +40,12 @@ impl Span {
         Self { start: self.start, end: other.end }
     }
 
+    /// The empty range at the start.
+    #[must_use]
+    pub fn at_start(self) -> Self {
+        Self { start: self.start, end: self.start }
+    }
+
     /// The empty range at the end.
     #[must_use]
     pub fn at_end(self) -> Self {

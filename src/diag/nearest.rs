@@ -5,8 +5,8 @@ use crate::limits::work;
 /// The word of `among` that is most likely meant by `word`, if one is near enough.
 ///
 /// Optimal string alignment distance (a swap of neighbours counts once), upper and lower case
-/// alike: one mistake in words of up to two letters, two up to five, three beyond. Of equally
-/// near words the first is taken. In time O(letters) each.
+/// alike: one mistake in words of up to five letters, two in those of up to eight, three beyond; of two letters one must
+/// be right as it is written, or both change places. Of equally near words the first is taken. In time O(letters) each.
 pub fn nearest<'a>(word: &str, among: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower: Vec<char> = word.to_lowercase().chars().collect();
     let n_chars = word.chars().count();
@@ -27,6 +27,16 @@ pub fn nearest<'a>(word: &str, among: impl IntoIterator<Item = &'a str>) -> Opti
             }
             let letters: Vec<char> = candidate.to_lowercase().chars().collect();
             let distance = distance_within(&lower, &letters, most)?;
+            // Of two letters one must be right as it is written: `zz` is no slip for `YZ`.
+            let is_likely = || {
+                let mut pairs = word.chars().zip(candidate.chars());
+                n_of_candidate != 2
+                    || pairs.any(|(a, b)| a == b)
+                    || lower.iter().eq(letters.iter().rev())
+            };
+            if n_chars == 2 && 0 < distance && !is_likely() {
+                return None;
+            }
             (distance < n_of_candidate).then_some((distance, candidate))
         })
         .min_by_key(|&(distance, _)| distance)

@@ -148,4 +148,10 @@ impl Files for ScriptFiles {
         self.note(&full, stamp, true);
         Ok(bytes)
     }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        let full = self.folder.join(path);
+        let beside = full.parent().map(super::entries).unwrap_or_default();
+        beside.into_iter().filter(|entry| !entry.is_folder).map(|entry| entry.name).collect()
+    }
 }

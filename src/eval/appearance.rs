@@ -14,7 +14,12 @@ use crate::{
 };
 
 /// The options that a definition has.
-pub(crate) const OPTIONS: [&str; 3] = ["color", "layer", "hidden"];
+/// Each with what it takes, as the end of a sentence.
+pub(crate) const OPTIONS: [(&str, &str); 3] = [
+    ("color", "a colour, `\"#6688aa\"` or a name such as `\"steelblue\"`"),
+    ("layer", "the name of a layer"),
+    ("hidden", "`true` for what others are only made of: `all` leaves it out"),
+];
 
 impl FileRun<'_> {
     /// Reads the presentation after `with`; what does not fit becomes a finding.
@@ -94,7 +99,7 @@ fn read(
         (name, _) => {
             let message = format!("a definition has no option `{name}`");
             let diagnostic = Diagnostic::error(Code::BadCall, label.span, message);
-            return Err(Box::new(match nearest(name, OPTIONS) {
+            return Err(Box::new(match nearest(name, OPTIONS.map(|(option, _)| option)) {
                 Some(near) => diagnostic.meant(near),
                 None => diagnostic.hint("its options are `color`, `layer` and `hidden`"),
             }));

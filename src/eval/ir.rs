@@ -211,6 +211,8 @@ pub(crate) enum DefinitionRole {
 #[derive(Debug)]
 pub(crate) struct ParamRules {
     pub(crate) kind: Option<ParamKind>,
+    /// Where that is written.
+    pub(crate) kind_span: Option<Span>,
     pub(crate) allowed: Option<Expr>,
     pub(crate) step: Option<Expr>,
     /// A text for people.

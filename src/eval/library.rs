@@ -24,7 +24,7 @@ use crate::{
         self,
         ast::{Expr, ExprKind, StatementKind, Tree, Unit},
     },
-    value::script_text,
+    value::{missing_file, script_text},
 };
 
 /// A file that some import names.
@@ -182,8 +182,8 @@ impl<'a> Library<'a> {
         }
         let most = self.settings.limits.source_bytes;
         let bytes = self.settings.files.read(path, most).map_err(|message| {
-            let hint = "paths are relative to the file that names them";
-            Box::new(Diagnostic::error(Code::FileMissing, place, message).hint(hint))
+            let remedy = "paths are relative to the file that names them";
+            missing_file(self.settings.files, path, (place, message), remedy)
         })?;
         if most < bytes.len() {
             let message = format!("`{path}` is larger than the ceiling of {most} bytes");

@@ -70,6 +70,7 @@ pub use outcome::{
     Checked, Defined, EffectOutput, ExpectedMistake, ExportSubject, Exported, Outcome, Printed,
     TestOutcome,
 };
+pub(crate) use param::param_kind;
 pub use run::evaluate;
 pub use schema::{Schema, SchemaParameter, parameters};
 pub use settings::{Purpose, Setting, Settings, TestFilter};

@@ -75,6 +75,7 @@ pub(super) fn rules(
             )
         })?,
     };
+    let kind_span = rules.kind_span;
     let of_number = |value| if let Value::Number(number) = value { Some(number.dim) } else { None };
     let said = of_number(default.looked_at()).filter(|dim| !dim.is_bare());
     let rules = ParameterRules {
@@ -96,7 +97,16 @@ pub(super) fn rules(
         },
         unit: machine.env.unit,
     };
-    let default = rules.admit(default, definition.value.span, "the default")?;
+    let meant = inferred(&default).filter(|_| rules.of_kind(&default).is_none());
+    let default =
+        rules.admit(default, definition.value.span, "the default").map_err(|found| {
+            match (meant, kind_span) {
+                (Some(kind), Some(place)) => Box::new(
+                    found.also(place, "promised here").fix(Fix::replace(place, kind.word())),
+                ),
+                _ => found,
+            }
+        })?;
     Ok((rules, default))
 }
 
@@ -108,6 +118,11 @@ fn label(value: Value, span: Span) -> Result<String> {
             Diagnostic::error(Code::WrongKind, span, message).fail()
         }
     }
+}
+
+/// The word for the kind of parameter that a value is one of.
+pub(crate) fn param_kind(value: &Value) -> Option<&'static str> {
+    inferred(value).map(ParamKind::word)
 }
 
 fn inferred(value: &Value) -> Option<ParamKind> {

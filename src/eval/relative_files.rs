@@ -23,4 +23,8 @@ impl Files for RelativeFiles<'_> {
         }
         outcome
     }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        self.files.beside(&join(self.folder, path))
+    }
 }

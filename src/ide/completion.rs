@@ -7,7 +7,7 @@ use crate::{
     docs, eval,
     kernel::sorting::sort_by,
     session::Session,
-    syntax::{self, CompletionPlace, Highlight, KEYWORDS, ast::Kind},
+    syntax::{self, Binding, CompletionPlace, Highlight, KEYWORDS},
     value::{Op, Registry, Value},
 };
 
@@ -126,6 +126,7 @@ impl Completion {
 /// What completion looks at.
 pub(super) struct CompletionSpot<'a> {
     pub(super) document: &'a Document,
+    pub(super) session: &'a Session,
     pub(super) registry: &'a Registry,
     pub(super) values: Option<&'a Values>,
     pub(super) at: usize,
@@ -142,7 +143,8 @@ impl Document {
         at: usize,
     ) -> Vec<Completion> {
         let at = self.text.floor_char_boundary(at.min(self.text.len()));
-        let place = CompletionSpot { document: self, registry: session.registry(), values, at };
+        let registry = session.registry();
+        let place = CompletionSpot { document: self, session, registry, values, at };
         let mut found = place.all(list);
         sort_by(&mut found, |a, b| (a.rank(), &a.label).cmp(&(b.rank(), &b.label)));
         found.dedup_by(|b, a| a.label == b.label);
@@ -171,6 +173,7 @@ impl CompletionSpot<'_> {
             CompletionPlace::Comment => Vec::new(),
             CompletionPlace::Field { start, of } => self.fields(of, &self.word_from(start)),
             CompletionPlace::Text { start, call, label } => self.in_text(start, call, label, list),
+            CompletionPlace::Format { start, of } => self.number_formats(of, start),
             CompletionPlace::Name { start } => self.names(&self.word_from(start)),
         }
     }
@@ -192,6 +195,9 @@ impl CompletionSpot<'_> {
             return eval::param_kinds()
                 .map(|word| Completion::new(word, CompletionKind::Keyword, range))
                 .collect();
+        }
+        if let Some(names) = self.names_to_import(range) {
+            return names;
         }
         let mut found = Vec::new();
         let call = syntax::open_call(&self.document.text, range.start);
@@ -241,39 +247,30 @@ impl CompletionSpot<'_> {
             let local = self.definition(name, range, &anything);
             found.push(Completion { kind: CompletionKind::Local, ..local });
         }
-        // A statement under way does not parse yet: its words so far.
-        let start = outline
-            .acts
-            .iter()
-            .map(|act| act.whole.end)
-            .chain(outline.of_file().map(|name| name.whole.end));
-        let start = start.filter(|&end| end < range.start).max().unwrap_or(0);
-        let mut is_first = true;
-        let mut is_being_defined = false;
-        let pieces = self.document.pieces.iter();
-        let under_way = pieces.filter(|(_, place)| start <= place.start && place.end < range.start);
-        for (paint, place) in under_way {
-            let word = self.document.text.get(place.clone()).unwrap_or_default();
-            if *paint == Highlight::Keyword
-                && (word == "param" || Kind::ALL.iter().any(|(kind, _)| *kind == word))
-            {
-                // That of the statement, or of a line in it; of a block the lines before are known.
-                let is_on_line = !self.document.text[place.end..range.start].contains('\n');
-                is_being_defined = is_first || is_on_line;
-                is_first = false;
-            }
-            is_being_defined &= word != "=";
-            let is_known =
-                self.registry.get(word).is_some() || self.registry.constant(word).is_some();
-            if *paint != Highlight::Name || is_known {
-                continue;
-            }
-            if is_being_defined {
-                seen.insert(word);
-            } else if seen.insert(word) {
-                found.push(Completion::new(word, CompletionKind::Local, range));
+        // A statement under way does not parse yet.
+        for (name, _) in self.bindings() {
+            if seen.insert(name) {
+                found.push(Completion::new(name, CompletionKind::Local, range));
             }
         }
+    }
+
+    /// The names that statements bind which do not parse yet, or the one around the place, in their order.
+    pub(super) fn bindings(&self) -> Vec<(&str, Binding)> {
+        let outline = &self.document.outline;
+        let acts = outline.acts.iter().map(|act| act.whole.end);
+        let ends = acts.chain(outline.of_file().map(|name| name.whole.end));
+        let start = ends.filter(|&end| end < self.at).max().unwrap_or(0);
+        let text = self.document.text.get(start..self.at).unwrap_or_default();
+        let bound = syntax::bindings(text).into_iter();
+        let shifted = |range: Range<usize>| range.start + start..range.end + start;
+        bound
+            .map(|Binding { name, value, source }| {
+                let text = &text[name.clone()];
+                let (value, source) = (value.map(shifted), source.map(shifted));
+                (text, Binding { name: shifted(name), value, source })
+            })
+            .collect()
     }
 
     /// Whether the place is in the definition of a name that may not use itself, as only functions may.

@@ -3,16 +3,16 @@
 use std::ops::Range;
 
 use super::{
-    Completion, CompletionKind, FolderEntry, NameRole, Outline, completion::CompletionSpot, hover,
-    signature::left_to_give,
+    Completion, CompletionKind, DefinedName, FolderEntry, NameRole, Outline,
+    completion::CompletionSpot, hover, owner::Owner, signature::left_to_give,
 };
 use crate::{
     diag::Code,
     docs, eval,
-    export::{ExportOption, Format},
+    export::{ExportOption, FORMATS, Format},
     session,
-    syntax::{OpenCall, ast::Unit, open_call},
-    value::{COLOR_NAMES, OpParameter},
+    syntax::{self, Highlight, OpenCall, ast::Unit, open_call},
+    value::{COLOR_NAMES, OpParameter, Value},
 };
 
 impl CompletionSpot<'_> {
@@ -67,6 +67,10 @@ impl CompletionSpot<'_> {
         if !words.is_empty() {
             return words.into_iter().map(choice).collect();
         }
+        let words = self.words_of_params(start);
+        if !words.is_empty() {
+            return words.iter().map(|word| choice(word)).collect();
+        }
         if label.is_some_and(|label| label.ends_with("color")) {
             return COLOR_NAMES
                 .iter()
@@ -105,7 +109,125 @@ impl CompletionSpot<'_> {
                 });
             Completion::new(name, CompletionKind::File, &range).detail(detail).fitting(is_fitting)
         };
-        list(folder).into_iter().map(entry).collect()
+        let mut found: Vec<Completion> = list(folder).into_iter().map(entry).collect();
+        if endings.is_empty() {
+            found.extend(self.files_to_write(&range));
+        }
+        found
+    }
+
+    /// Files of every format, called as the path under way, or else as what is written.
+    fn files_to_write(&self, range: &Range<usize>) -> Vec<Completion> {
+        let begun = self.document.text.get(range.start..self.at).unwrap_or_default();
+        let statement = self.before().rfind("export").map(|start| &self.before()[start..]);
+        let subject = || {
+            let pieces = syntax::pieces(statement?);
+            let (_, name) = pieces.into_iter().find(|(paint, _)| *paint == Highlight::Name)?;
+            statement?.get(name)
+        };
+        let stem = begun.rsplit_once('.').map_or(begun, |(stem, _)| stem);
+        let stem = if stem.is_empty() { subject().unwrap_or("model") } else { stem };
+        let file = |format: &&Format| {
+            Completion::new(format!("{stem}.{}", format.ending), CompletionKind::File, range)
+                .detail(format.title)
+        };
+        FORMATS.iter().map(file).collect()
+    }
+
+    /// The words that a parameter allows which the string at `start` is its default, its value, or compared with.
+    fn words_of_params(&self, start: usize) -> Vec<String> {
+        let quote = start.saturating_sub(1);
+        let pieces = &self.document.pieces;
+        let idx = pieces.partition_point(|(_, place)| place.start < quote);
+        let before = |n: usize| idx.checked_sub(n).map_or("", |idx| self.document.piece(idx));
+        let is_comparison = |mark: &str| matches!(mark, "==" | "!=");
+        let param = if is_comparison(before(1)) {
+            self.param(before(2), (before(3) == ".").then(|| before(4)))
+        } else if is_comparison(self.document.piece(idx + 1)) {
+            let is_field = self.document.piece(idx + 3) == ".";
+            let (name, of) = if is_field { (idx + 4, Some(idx + 2)) } else { (idx + 2, None) };
+            self.param(self.document.piece(name), of.map(|of| self.document.piece(of)))
+        } else if before(1) == "=" {
+            match open_call(&self.document.text, quote) {
+                Some(call) => {
+                    let mut params = self.params_of_file(&call).into_iter();
+                    params.find(|name| Some(name.name.as_str()) == call.label)
+                }
+                None => self.param(before(2), None),
+            }
+        } else {
+            None
+        };
+        let Some(allowed) = param.and_then(|param| param.allowed.as_deref()) else {
+            return Vec::new();
+        };
+        let of_allowed = syntax::pieces(allowed);
+        let texts = of_allowed.iter().filter(|(paint, _)| *paint == Highlight::Text);
+        let words: Vec<String> =
+            texts.map(|(_, place)| allowed[place.clone()].trim_matches('"').to_owned()).collect();
+        let named = of_allowed.iter().find(|(paint, _)| *paint == Highlight::Name);
+        match (named, self.values) {
+            (Some((_, place)), Some(values)) if words.is_empty() => {
+                match values.value(&allowed[place.clone()]) {
+                    Some(Value::List(items)) => items.values().filter_map(word).collect(),
+                    _ => Vec::new(),
+                }
+            }
+            _ => words,
+        }
+    }
+
+    /// The parameter of a name, of this file or, behind the name of an import, of another.
+    fn param(&self, name: &str, of: Option<&str>) -> Option<&DefinedName> {
+        let own = &self.document.outline;
+        let known = own.of_file().find(|known| known.name == of.unwrap_or(name))?;
+        if known.role != NameRole::Import {
+            return Some(known).filter(|known| of.is_none() && known.role == NameRole::Param);
+        }
+        let file = self.document.outline_of_import(&known.whole)?;
+        file.of_file().find(|param| param.name == name && param.role == NameRole::Param)
+    }
+
+    /// The parameters of the file that a call is given values for: an import's `with`, or a script's call.
+    pub(super) fn params_of_file(&self, call: &OpenCall<'_>) -> Vec<&DefinedName> {
+        let is_script = self
+            .registry
+            .get(call.name)
+            .is_some_and(|(_, ops)| ops.iter().any(|op| op.names_script));
+        let path = if call.name == "with" && call.statement == Some("import") {
+            self.document.text[..call.start].rfind("import").map(|start| start..call.start)
+        } else {
+            is_script.then_some(call.start..self.at)
+        };
+        let file = path.and_then(|path| self.document.outline_of_import(&path));
+        let names = file.into_iter().flat_map(Outline::of_file);
+        names.filter(|name| name.role == NameRole::Param).collect()
+    }
+
+    /// How the number `of` can be written in a text.
+    pub(super) fn number_formats(&self, of: &str, start: usize) -> Vec<Completion> {
+        let is_part = |c: char| c.is_alphanumeric() || c == '.';
+        let rest = &self.document.text[self.at..];
+        let range = start..self.at + (rest.len() - rest.trim_start_matches(is_part).len());
+        let dimension = match self.owner(of) {
+            Some(Owner::Value(Value::Number(number))) => Some(number.dim),
+            _ => None,
+        };
+        let fits = |(_, unit): &&(&str, Unit)| match dimension {
+            Some(dimension) if dimension.is_bare() => false,
+            Some(dimension) => dimension.is_angle() == unit.millimetres().is_none(),
+            None => true,
+        };
+        let units = Unit::ALL.iter().filter(fits);
+        let unit = |&(name, _): &(&str, Unit)| {
+            Completion::new(name, CompletionKind::Unit, &range).detail("in this unit")
+        };
+        let mut found: Vec<Completion> = units.map(unit).collect();
+        found.extend((0..=3).map(|digits| {
+            Completion::new(format!(".{digits}"), CompletionKind::Choice, &range)
+                .detail(format!("{digits} digits behind the point"))
+        }));
+        found
     }
 
     /// The endings of the files that the string at `start` may name, any without one; none where it names no file.
@@ -165,13 +287,15 @@ impl CompletionSpot<'_> {
                     options.iter().for_each(|option| add(label(option.name).detail(option.wants)));
                 }
                 Some("import") => {
-                    let params = self.document.imported.iter().flat_map(Outline::of_file);
-                    let params = params.filter(|name| name.role == NameRole::Param);
-                    params.for_each(|name| {
-                        add(label(&name.name).docs(name.docs.clone().unwrap_or_default()));
-                    });
+                    for param in self.params_of_file(call) {
+                        add(label(&param.name)
+                            .detail(hover::signature(param))
+                            .docs(param.docs.clone().unwrap_or_default()));
+                    }
                 }
-                _ => eval::LOOK_OPTIONS.iter().for_each(|option| add(label(option))),
+                _ => eval::LOOK_OPTIONS
+                    .iter()
+                    .for_each(|(option, wants)| add(label(option).detail(*wants))),
             }
             return;
         }
@@ -193,11 +317,20 @@ impl CompletionSpot<'_> {
             add(label(param.name).detail(param.ty.to_string()).docs(docs::paragraph(param.docs)));
         }
         // What the script that is called takes.
-        if ops.iter().any(|op| op.names_script) && 0 < call.position {
-            let params = self.document.imported.iter().flat_map(Outline::of_file);
-            params.filter(|name| name.role == NameRole::Param).for_each(|name| {
-                add(label(&name.name).docs(name.docs.clone().unwrap_or_default()));
-            });
+        if 0 < call.position {
+            for param in self.params_of_file(call) {
+                add(label(&param.name)
+                    .detail(hover::signature(param))
+                    .docs(param.docs.clone().unwrap_or_default()));
+            }
         }
+    }
+}
+
+/// The text of a value that is one.
+fn word(value: Value) -> Option<String> {
+    match value {
+        Value::Text(text) => Some(text.to_string()),
+        _ => None,
     }
 }

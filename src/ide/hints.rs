@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::{ActKind, Document, NameRole, Values};
 use crate::{
     kernel::sorting::sort_by_key,
+    session::TestVerdict,
     syntax::ast::Kind,
     value::{Registry, Value},
 };
@@ -55,8 +56,13 @@ pub struct Hint {
 /// What a line above a statement offers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LensKind {
-    /// Runs the test of this name.
-    Test(String),
+    /// Runs a test.
+    Test {
+        /// Its name.
+        name: String,
+        /// How it came out, if it was run.
+        verdict: Option<TestVerdict>,
+    },
     /// A claim came out so.
     Check {
         /// Whether it holds.
@@ -174,7 +180,8 @@ impl Document {
         }
     }
 
-    /// The lines above statements: of tests, of claims where `values` are of this text, of geometry.
+    /// The lines above statements: of tests, of claims where `values` are of this text, of geometry. Claims of a test
+    /// have theirs when it was run.
     #[must_use]
     pub fn lenses(&self, values: Option<&Values>) -> Vec<Lens> {
         let mut found = Vec::new();
@@ -183,7 +190,11 @@ impl Document {
             match act.kind {
                 ActKind::Test => {
                     let name = self.text.get(act.subject.clone()).unwrap_or_default();
-                    let kind = LensKind::Test(name.trim_matches('"').to_owned());
+                    let tested = values.and_then(|values| values.tested(&act.subject));
+                    let kind = LensKind::Test {
+                        name: name.trim_matches('"').to_owned(),
+                        verdict: tested.map(|test| test.verdict),
+                    };
                     found.push(Lens { range, kind });
                 }
                 ActKind::Check => {

@@ -2,11 +2,11 @@
 
 use std::ops::Range;
 
-use super::{DefinedName, Document, NameRole, Values, names::Meaning};
+use super::{DefinedName, Document, NameRole, Values, completion::CompletionSpot, names::Meaning};
 use crate::{
-    docs,
+    docs, eval,
     session::Session,
-    syntax::ast::Unit,
+    syntax::{self, ast::Unit},
     value::{Value, field_names, rounded},
 };
 
@@ -25,8 +25,18 @@ impl Document {
         let registry = session.registry();
         let (meaning, place) = self.meaning(registry, at)?;
         let text = match meaning {
-            Meaning::Name(name) => self.of_name(name, &place, values),
+            Meaning::Name(name) => self.of_name(session, name, &place, values),
             Meaning::BuiltIn(name) => docs::markdown(registry, name)?,
+            Meaning::Label { call: "with", label } => self.of_option(session, label, &place)?,
+            Meaning::Key(label, value) => {
+                let found = values
+                    .and_then(|values| Some((values, self.local_value(session, values, &value)?)));
+                let told = found.map(|(values, value)| values.description(&value));
+                fenced(&format!("{label}: {}", told.or_else(|| self.kind_of(session, &value))?))
+            }
+            Meaning::Code(code) => {
+                format!("**{}**: {}\n\n{}", code.id(), code.title(), code.explanation())
+            }
             Meaning::Label { call, label } => {
                 let (_, ops) = registry.get(call)?;
                 let param =
@@ -97,15 +107,29 @@ impl Document {
         }
     }
 
-    fn of_name(&self, name: &DefinedName, place: &Range<usize>, values: Option<&Values>) -> String {
-        let mut out = fenced(&signature(name));
+    fn of_name(
+        &self,
+        session: &Session,
+        name: &DefinedName,
+        place: &Range<usize>,
+        values: Option<&Values>,
+    ) -> String {
         let value = values.and_then(|values| Some((values, self.value_of(name, place, values)?)));
-        if let Some((values, value)) =
-            value.filter(|(_, value)| !matches!(value, Value::Function(_)))
-        {
-            out.push_str(&format!("\n\n{}", values.description(value)));
-            if !values.are_of(self) {
-                out.push_str(" *(before the last edit)*");
+        let mut out = fenced(&signature_with(name, value.map(|(_, value)| value)));
+        match value {
+            Some((_, Value::Function(_))) if name.role == NameRole::Function => {}
+            Some((_, Value::Function(function))) => {
+                out.push_str(&format!("\n\nfunction `{}`", function.signature()));
+            }
+            Some((values, value)) => {
+                out.push_str(&format!("\n\n{}", values.description(value)));
+                if !values.are_of(self) {
+                    out.push_str(" *(before the last edit)*");
+                }
+            }
+            None => {
+                let told = self.of_local(session, name, values);
+                out.extend(told.map(|told| format!("\n\n{told}")));
             }
         }
         if let Some(label) = &name.label {
@@ -116,16 +140,77 @@ impl Document {
         }
         out
     }
+
+    /// The value of a definition without one in the last run, or else its kind.
+    fn of_local(
+        &self,
+        session: &Session,
+        name: &DefinedName,
+        values: Option<&Values>,
+    ) -> Option<String> {
+        let is_own = self.outline.defined_at(&name.place) == Some(name);
+        let place = name.value.as_ref().filter(|_| is_own)?;
+        if !matches!(name.role, NameRole::Definition(_)) {
+            return None;
+        }
+        let found = values.and_then(|values| {
+            let value = self.local_value(session, values, place).filter(|_| !name.is_of_file)?;
+            Some(match &value {
+                Value::Function(function) => format!("function `{}`", function.signature()),
+                value => values.description(value),
+            })
+        });
+        found.or_else(|| self.kind_of(session, place))
+    }
+
+    /// What an expression is, by its form.
+    fn kind_of(&self, session: &Session, expr: &Range<usize>) -> Option<String> {
+        let registry = session.registry();
+        let spot =
+            CompletionSpot { document: self, session, registry, values: None, at: expr.start };
+        Some(spot.owner(self.text.get(expr.clone())?)?.words())
+    }
+
+    /// What an option behind `with` takes.
+    fn of_option(&self, session: &Session, label: &str, place: &Range<usize>) -> Option<String> {
+        let registry = session.registry();
+        let spot =
+            CompletionSpot { document: self, session, registry, values: None, at: place.start };
+        let call = syntax::open_call(&self.text, place.start)?;
+        match call.statement {
+            Some("import") => {
+                let params = spot.params_of_file(&call);
+                let param = params.into_iter().find(|param| param.name == label)?;
+                let docs = param.docs.as_deref().map(docs::paragraph).unwrap_or_default();
+                Some(format!("{}\n\n{docs}", fenced(&signature(param))))
+            }
+            Some("export") => {
+                let option = spot.export_options().into_iter().find(|one| one.name == label)?;
+                Some(format!("{}\n\ntakes {}", fenced(&format!("{label} =")), option.wants))
+            }
+            _ => {
+                let (_, wants) = eval::LOOK_OPTIONS.into_iter().find(|(name, _)| *name == label)?;
+                Some(format!("{}\n\ntakes {wants}", fenced(&format!("{label} ="))))
+            }
+        }
+    }
 }
 
 /// A definition on one line: `curve keel`, `fn twice(x, by = 2)`.
 pub(super) fn signature(name: &DefinedName) -> String {
+    signature_with(name, None)
+}
+
+/// The same; a parameter names the kind of its value where it states none.
+fn signature_with(name: &DefinedName, value: Option<&Value>) -> String {
     let text = &name.name;
     match name.role {
-        NameRole::Param => match &name.allowed {
-            Some(allowed) => format!("param {text} {allowed}"),
-            None => format!("param {text}"),
-        },
+        NameRole::Param => {
+            let kind = name.kind.as_deref().or_else(|| eval::param_kind(value?));
+            let kind = kind.map(|kind| format!(": {kind}")).unwrap_or_default();
+            let allowed = name.allowed.iter().map(|allowed| format!(" {allowed}"));
+            format!("param {text}{kind}{}", allowed.collect::<String>())
+        }
         NameRole::Import => format!("import {text}"),
         NameRole::Parameter => format!("(parameter) {text}"),
         NameRole::Variable => format!("(variable) {text}"),

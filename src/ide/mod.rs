@@ -15,11 +15,13 @@ mod edits;
 mod format;
 mod hints;
 mod hover;
+mod local_value;
 mod measured;
 mod names;
 mod offered;
 mod outline;
 mod outline_walk;
+mod owner;
 mod position;
 mod signature;
 mod structure;
@@ -65,6 +67,8 @@ pub struct Document {
     sources: Sources,
     /// Outlines of the imported texts.
     imported: Vec<Outline>,
+    /// Outlines of the files whose imports do not parse yet, by the places of their paths.
+    under_way: Vec<(Range<usize>, Outline)>,
 }
 
 impl Document {
@@ -82,15 +86,30 @@ impl Document {
         let (uses, sources) = session.name_uses(name, text.as_bytes(), files);
         let imported =
             sources.iter().skip(1).map(|source| Outline::of(session, &source.text)).collect();
+        let pieces = syntax::pieces(text);
+        let under_way = imports_under_way(session, text, &pieces, &uses, files);
         Self {
             text: Arc::from(text),
             lines: LineIndex::new(text),
-            pieces: syntax::pieces(text),
+            pieces,
             outline: Outline::of(session, text),
             uses,
             sources,
             imported,
+            under_way,
         }
+    }
+
+    /// The outline of the file that an import within these bytes names.
+    fn outline_of_import(&self, within: &Range<usize>) -> Option<&Outline> {
+        let is_inside = |path: &Range<usize>| within.start <= path.start && path.end <= within.end;
+        if let Some((_, outline)) = self.under_way.iter().find(|(path, _)| is_inside(path)) {
+            return Some(outline);
+        }
+        let imports = self.imports();
+        let (_, file) = imports.iter().find(|(path, _)| is_inside(path))?;
+        let idx = self.sources.iter().skip(1).position(|source| source.name == *file)?;
+        self.imported.get(idx)
     }
 
     /// The text.
@@ -131,8 +150,57 @@ impl Document {
         Some(before.unwrap_or(last))
     }
 
+    /// The place of what begins with a piece and ends before a comma or the bracket around it.
+    fn item_from(&self, first: usize) -> Option<Range<usize>> {
+        let start = self.pieces.get(first)?.1.start;
+        let (mut depth, mut end) = (0_usize, start);
+        for idx in first..self.pieces.len() {
+            match self.piece(idx) {
+                "(" | "[" | "{" => depth += 1,
+                ")" | "]" | "}" if depth == 0 => break,
+                ")" | "]" | "}" => depth -= 1,
+                "," if depth == 0 => break,
+                _ => {}
+            }
+            end = self.pieces[idx].1.end;
+        }
+        (start < end).then_some(start..end)
+    }
+
     /// The text of the piece of this number.
     fn piece(&self, idx: usize) -> &str {
         self.pieces.get(idx).and_then(|(_, range)| self.text.get(range.clone())).unwrap_or_default()
     }
+}
+
+/// The files that are named by imports, and by calls of scripts, which do not parse yet.
+fn imports_under_way(
+    session: &Session,
+    text: &str,
+    pieces: &[(Highlight, Range<usize>)],
+    uses: &NameUses,
+    files: &dyn Files,
+) -> Vec<(Range<usize>, Outline)> {
+    let is_read = |path: &Range<usize>| uses.imports.iter().any(|(span, _)| span.range() == *path);
+    let outline = |path: &Range<usize>| {
+        let name = text.get(path.clone())?.strip_prefix('"')?.strip_suffix('"')?;
+        let bytes = files.read(name, session.limits().source_bytes).ok()?;
+        Some((path.clone(), Outline::of(session, &String::from_utf8(bytes).ok()?)))
+    };
+    let piece = |idx: Option<usize>| Some(text.get(pieces[idx?].1.clone())?);
+    let calls_script = |name: &str| {
+        let ops = session.registry().get(name);
+        ops.is_some_and(|(_, ops)| ops.iter().any(|op| op.names_script))
+    };
+    let is_path = |&idx: &usize| {
+        let is_called = || piece(idx.checked_sub(2)).is_some_and(calls_script);
+        pieces[idx].0 == Highlight::Text
+            && match piece(idx.checked_sub(1)) {
+                Some("import") => true,
+                Some("(") => is_called(),
+                _ => false,
+            }
+    };
+    let paths = (0..pieces.len()).filter(is_path).map(|idx| &pieces[idx].1);
+    paths.filter(|path| !is_read(path)).filter_map(outline).collect()
 }

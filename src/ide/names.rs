@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, ops::Range};
 
 use super::{ActKind, DefinedName, Document, NameRole, SourceRange, TextEdit, applied};
 use crate::{
-    diag::{Sources, Span},
+    diag::{Code, Sources, Span},
     session::Session,
     syntax::{self, Highlight},
     value::{Files, Registry},
@@ -53,6 +53,10 @@ pub(super) enum Meaning<'d> {
         /// The field.
         field: &'d str,
     },
+    /// The label of a field of a record that is written out, with the place of its value.
+    Key(&'d str, Range<usize>),
+    /// The code of an error.
+    Code(Code),
     /// A word of the language.
     Keyword(&'d str),
     /// A number as it is written.
@@ -83,6 +87,8 @@ impl Document {
                         .map(|of| self.piece(of))
                         .filter(|of| syntax::is_name(of));
                     Meaning::Field { of, field: text }
+                } else if self.piece(idx + 1) == ":" && matches!(before, "{" | ",") {
+                    Meaning::Key(text, self.item_from(idx + 2)?)
                 } else if let (true, Some(call)) = (self.piece(idx + 1) == "=", call()) {
                     Meaning::Label { call, label: text }
                 } else if paint == Highlight::Keyword && self.piece(idx + 1) != "(" {
@@ -94,6 +100,13 @@ impl Document {
                 } else {
                     return None;
                 }
+            }
+            Highlight::Text
+                if idx.checked_sub(2).is_some_and(|two| {
+                    self.piece(two) == "expect" && self.piece(two + 1) == "error"
+                }) =>
+            {
+                Meaning::Code(Code::from_id(text.trim_matches('"'))?)
             }
             // The name of an import may be a part of its path.
             Highlight::Text => {
@@ -112,6 +125,13 @@ impl Document {
         let span = Span::new(place.start as u32, place.end as u32);
         let target = self.uses.target(span).unwrap_or(span);
         self.definition_at(target).or_else(|| self.definition_at(span))
+    }
+
+    /// What a name at exactly this place is in the other file, where it came through an import that lists it.
+    pub(super) fn imported_role(&self, place: &Range<usize>) -> Option<NameRole> {
+        let span = Span::new(place.start as u32, place.end as u32);
+        let origin = self.definition_at(self.uses.origin(span))?;
+        (origin.role != NameRole::Import).then_some(origin.role)
     }
 
     /// The definition whose name stands at this place.
@@ -209,12 +229,24 @@ impl Document {
         own.map(|found| found.range()).collect()
     }
 
-    /// The place of the name at a byte, if it can be given another one.
-    #[must_use]
-    pub fn renamable(&self, at: usize) -> Option<Range<usize>> {
-        let place = self.name_span(at)?.range();
-        let name = self.definition_of(&place)?;
-        (!name.is_part).then_some(place)
+    /// The place of the name at a byte that can be given another one.
+    ///
+    /// # Errors
+    /// A sentence on why it cannot.
+    pub fn renamable(&self, at: usize) -> Result<Range<usize>, String> {
+        let place = self.name_span(at).map(|span| span.range());
+        let known = place.and_then(|place| Some((self.definition_of(&place)?, place)));
+        let Some((name, place)) = known else {
+            return Err("nothing that can be renamed stands here: only names that scripts define"
+                .to_owned());
+        };
+        if name.is_part {
+            return Err(format!(
+                "`{0}` is called as the field that it stands for; a name of its own comes from `let name = record.{0}`",
+                name.name
+            ));
+        }
+        Ok(place)
     }
 
     /// The edits that give the name at a byte another one, in this text and in those that it imports.
@@ -235,10 +267,7 @@ impl Document {
                 false => format!("`{new}` is no name: letters, digits and `_`, no digit first"),
             });
         }
-        if self.renamable(at).is_none() {
-            return Err("nothing that can be renamed stands here: only names that scripts define"
-                .to_owned());
-        }
+        self.renamable(at)?;
         let found = self.references(at);
         let home = self.definition(at).map(|definition| definition.file);
         if new.starts_with('_') && found.iter().any(|one| Some(&one.file) != home.as_ref()) {
@@ -352,5 +381,9 @@ impl Files for EditedFiles<'_> {
             (Some(edits), Some(source)) => Ok(applied(&source.text, edits).into_bytes()),
             _ => self.files.read(path, most),
         }
+    }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        self.files.beside(path)
     }
 }

@@ -43,6 +43,8 @@ pub struct DefinedName {
     pub docs: Option<String>,
     /// The parameters of a function with the texts of their defaults.
     pub parameters: Vec<(String, Option<String>)>,
+    /// The kind that a `param` states.
+    pub kind: Option<String>,
     /// What a `param` allows, as it is written: `in 1mm..9mm step 1mm`.
     pub allowed: Option<String>,
     /// The text for people behind a `param`.

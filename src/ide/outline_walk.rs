@@ -49,6 +49,7 @@ impl<'t> OutlineWalk<'t> {
             is_literal: false,
             docs: None,
             parameters: Vec::new(),
+            kind: None,
             allowed: None,
             label: None,
             is_of_file: self.is_of_file,
@@ -103,6 +104,7 @@ impl<'t> OutlineWalk<'t> {
                 let allowed = self.allowed(param);
                 let name = self.name(&param.name, NameRole::Param, whole);
                 name.allowed = allowed;
+                name.kind = param.kind.map(|kind| kind.text.to_owned());
                 if let Some(ExprKind::Text(label)) = param.label.as_ref().map(|label| &label.kind) {
                     name.label = Some(label.to_string());
                 }

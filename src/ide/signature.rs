@@ -1,11 +1,12 @@
 //! Signatures of a call while its arguments are written.
 
-use super::{Document, NameRole, Outline, hover};
+use super::{Document, NameRole, Outline, Values, completion::CompletionSpot, hover, owner::Owner};
 use crate::{
     docs,
     kernel::sorting::sort_by_key,
+    session::Session,
     syntax::{OpenCall, open_call},
-    value::{Op, Registry},
+    value::{Function, Op, OpParameter, Type, Value},
 };
 
 /// A way to call what is being called.
@@ -31,48 +32,31 @@ pub struct SignatureParameter {
 }
 
 impl Document {
-    /// The ways to call what is being called at a byte, the likeliest first.
+    /// The ways to call what is being called at a byte, the likeliest first. `values` are of the last run, if there was
+    /// one.
     #[must_use]
-    pub fn signatures(&self, registry: &Registry, at: usize) -> Vec<CalledSignature> {
+    pub fn signatures(
+        &self,
+        session: &Session,
+        values: Option<&Values>,
+        at: usize,
+    ) -> Vec<CalledSignature> {
+        let registry = session.registry();
         let Some(call) = self.call_around(at) else { return Vec::new() };
         let own = self.outline.of_file().chain(self.imported.iter().flat_map(Outline::of_file));
         let mut own = own.filter(|name| name.name == call.name && name.role == NameRole::Function);
         if let Some(function) = own.next() {
-            let names: Vec<&str> =
-                function.parameters.iter().map(|(name, _)| name.as_str()).collect();
-            return vec![CalledSignature {
-                label: hover::signature(function),
-                docs: function.docs.as_deref().map(docs::paragraph).unwrap_or_default(),
-                active: active(&call, &names, names.len()),
-                parameters: function
-                    .parameters
-                    .iter()
-                    .map(|parameter| SignatureParameter {
-                        label: hover::parameter(parameter),
-                        docs: String::new(),
-                    })
-                    .collect(),
-            }];
+            let parameters = function.parameters.iter().map(hover::parameter).collect();
+            let label = hover::signature(function);
+            let docs = function.docs.as_deref().map(docs::paragraph).unwrap_or_default();
+            return vec![CalledSignature { docs, ..of_script(label, parameters, &call) }];
         }
-        let Some((_, ops)) = registry.get(call.name) else { return Vec::new() };
-        let mut found: Vec<CalledSignature> = ops
-            .iter()
-            .map(|op| CalledSignature {
-                label: op.signature(),
-                docs: docs::paragraph(op.docs),
-                active: active_parameter(op, &call),
-                parameters: op
-                    .params
-                    .iter()
-                    .map(|param| SignatureParameter {
-                        label: param.signature(),
-                        docs: docs::paragraph(param.docs),
-                    })
-                    .collect(),
-            })
-            .collect();
-        sort_by_key(&mut found, |signature| signature.active.is_none());
-        found
+        let spot = CompletionSpot { document: self, session, registry, values, at: call.start };
+        let is_defined = call.callee != call.name || spot.defined(call.name).is_some();
+        match registry.get(call.name) {
+            Some((_, ops)) if !is_defined => of_ops(ops, &call),
+            _ => spot.owner(call.callee).map(|owner| of_value(&owner, &call)).unwrap_or_default(),
+        }
     }
 
     /// The innermost call that is open at a byte, around points, lists and records.
@@ -95,6 +79,79 @@ impl Document {
     }
 }
 
+/// A function of a script that takes these parameters, each with its default.
+fn of_script(label: String, parameters: Vec<String>, call: &OpenCall<'_>) -> CalledSignature {
+    let name = |parameter: &String| parameter.split(" = ").next().unwrap_or_default().to_owned();
+    let names: Vec<String> = parameters.iter().map(name).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    CalledSignature {
+        label,
+        docs: String::new(),
+        active: active(call, &names, names.len()),
+        parameters: parameters
+            .into_iter()
+            .map(|label| SignatureParameter { label, docs: String::new() })
+            .collect(),
+    }
+}
+
+/// Operations of one name, those that the arguments may be for before.
+fn of_ops(ops: &[&Op], call: &OpenCall<'_>) -> Vec<CalledSignature> {
+    let parameter = |param: &OpParameter| SignatureParameter {
+        label: param.signature(),
+        docs: docs::paragraph(param.docs),
+    };
+    let signature = |op: &&Op| CalledSignature {
+        label: op.signature(),
+        docs: docs::paragraph(op.docs),
+        active: active_parameter(op, call),
+        parameters: op.params.iter().map(parameter).collect(),
+    };
+    let mut found: Vec<CalledSignature> = ops.iter().map(signature).collect();
+    sort_by_key(&mut found, |signature| signature.active.is_none());
+    found
+}
+
+/// A value that is called: a function, or geometry with parameters.
+fn of_value(owner: &Owner, call: &OpenCall<'_>) -> Vec<CalledSignature> {
+    let plain = |parameters: &[&str], docs: &str| {
+        let label = format!("{}({})", call.callee, parameters.join(", "));
+        let parameters = parameters.iter().map(|&name| name.to_owned()).collect();
+        vec![CalledSignature { docs: docs.to_owned(), ..of_script(label, parameters, call) }]
+    };
+    match owner {
+        Owner::Function(names) => {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            plain(&names, "")
+        }
+        Owner::Value(Value::Function(Function::Builtin(_, ops))) => of_ops(ops, call),
+        Owner::Value(Value::Function(function)) => function
+            .signatures()
+            .into_iter()
+            .map(|label| {
+                let inside = label.split_once('(').map_or("", |(_, rest)| rest);
+                let inside = inside.rsplit_once(')').map_or("", |(inside, _)| inside);
+                let parameters = inside.split(", ").filter(|name| !name.is_empty());
+                let parameters = parameters.map(str::to_owned).collect();
+                // One without a name has that by which it is called.
+                let label = match label.starts_with('(') {
+                    true => format!("{}({inside})", call.callee),
+                    false => label.clone(),
+                };
+                of_script(label, parameters, call)
+            })
+            .collect(),
+        Owner::Value(Value::Curve(_)) | Owner::Type(Type::Curve) => {
+            plain(&["t"], "The point of the curve at parameter `t`.")
+        }
+        Owner::Value(Value::Surface(_) | Value::Face(_))
+        | Owner::Type(Type::Surface | Type::Face) => {
+            plain(&["u", "v"], "The point of the surface at parameters `u` and `v`.")
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// Which of the parameters of these names, of which so many can be given by position, is being given.
 fn active(call: &OpenCall<'_>, names: &[&str], n_by_position: usize) -> Option<usize> {
     match call.label {
@@ -107,7 +164,7 @@ fn active(call: &OpenCall<'_>, names: &[&str], n_by_position: usize) -> Option<u
 
 /// How many parameters of an operation can be given by position.
 fn count_by_position(op: &Op) -> usize {
-    let is_one = |param: &&crate::value::OpParameter| !param.may_be_left_out() || param.by_position;
+    let is_one = |param: &&OpParameter| !param.may_be_left_out() || param.by_position;
     op.params.iter().take_while(is_one).count()
 }
 
@@ -123,9 +180,9 @@ pub(super) fn active_parameter(op: &Op, call: &OpenCall<'_>) -> Option<usize> {
 pub(super) fn left_to_give<'o>(
     op: &'o Op,
     call: &OpenCall<'_>,
-) -> impl Iterator<Item = &'o crate::value::OpParameter> {
+) -> impl Iterator<Item = &'o OpParameter> {
     let spreads = op.params.first().is_some_and(|param| param.spreads);
-    let is_left = |param: &crate::value::OpParameter| !call.labels.contains(&param.name);
+    let is_left = |param: &OpParameter| !call.labels.contains(&param.name);
     let n_by_position = count_by_position(op);
     let mut n_given = if spreads { call.position.min(1) } else { call.position };
     let mut left = Vec::new();

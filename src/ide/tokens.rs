@@ -95,7 +95,9 @@ impl Document {
                 let before = idx.checked_sub(1).map_or("", |before| self.piece(before));
                 if let Some(name) = self.definition_of(&range) {
                     let is_declaration = self.outline.defined_at(&range).is_some();
-                    return Some(SemanticToken { is_declaration, ..token(kind(name.role)) });
+                    // A name that an import lists is what it is in the other file.
+                    let role = self.imported_role(&range).unwrap_or(name.role);
+                    return Some(SemanticToken { is_declaration, ..token(kind(role)) });
                 }
                 let is_label = self.piece(idx + 1) == "=" && matches!(before, "(" | ",");
                 if before == "." || self.piece(idx + 1) == ":" {

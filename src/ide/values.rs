@@ -1,12 +1,16 @@
 //! What a run came to, as an editor shows it: values with units, claims with margins.
 
-use std::{collections::HashMap, ops::Range, sync::Arc};
+use std::{
+    collections::{BTreeMap, HashMap},
+    ops::Range,
+    sync::Arc,
+};
 
 use super::{Document, measured::measured};
 use crate::{
-    diag::Span,
+    diag::{Diagnostic, Span},
     eval::Checked,
-    session::{Event, Report},
+    session::{Event, Report, TestReport},
     value::{Number, Value, rounded},
 };
 
@@ -19,6 +23,8 @@ const MOST_ELEMENTS: usize = 8;
 #[derive(Debug)]
 pub struct Values {
     report: Arc<Report>,
+    /// What tests of the same text came to, as far as they were run, by the places of their names.
+    tested: BTreeMap<Span, (Arc<Report>, usize)>,
     /// The numbers of the definitions, by name.
     numbers: HashMap<String, usize>,
 }
@@ -29,7 +35,39 @@ impl Values {
     pub fn new(report: Arc<Report>) -> Self {
         let names = report.definitions.iter().enumerate();
         let numbers = names.map(|(idx, defined)| (defined.name.clone(), idx)).collect();
-        Self { report, numbers }
+        Self { report, tested: BTreeMap::new(), numbers }
+    }
+
+    /// Takes in the report of tests of the same text.
+    pub fn take_tests(&mut self, report: &Arc<Report>) {
+        for (idx, test) in report.tests.iter().enumerate() {
+            self.tested.insert(test.span, (Arc::clone(report), idx));
+        }
+    }
+
+    /// What the test whose name stands at a place came to, if it was run.
+    #[must_use]
+    pub fn tested(&self, place: &Range<usize>) -> Option<&TestReport> {
+        let (report, idx) = self.tested.get(&Span::new(place.start as u32, place.end as u32))?;
+        report.tests.get(*idx)
+    }
+
+    /// The findings of the last run, and those of the tests that were run since.
+    #[must_use]
+    pub fn findings(&self) -> Vec<&Diagnostic> {
+        let mut found: Vec<&Diagnostic> = self.report.diagnostics.iter().collect();
+        for (report, _) in self.tested.values() {
+            for other in &report.diagnostics {
+                let is_it = |known: &&Diagnostic| {
+                    (known.code, known.primary.span, &known.message)
+                        == (other.code, other.primary.span, &other.message)
+                };
+                if !found.iter().any(is_it) {
+                    found.push(other);
+                }
+            }
+        }
+        found
     }
 
     /// What the run came to.
@@ -54,7 +92,9 @@ impl Values {
     #[must_use]
     pub fn checked(&self, place: &Range<usize>) -> Option<&Checked> {
         let span = Span::new(place.start as u32, place.end as u32);
-        self.report.events.iter().find_map(|event| match event {
+        let of_tests = self.tested.values().filter_map(|(report, idx)| report.tests.get(*idx));
+        let of_tests = of_tests.flat_map(|test| &test.events);
+        self.report.events.iter().chain(of_tests).find_map(|event| match event {
             Event::Checked(checked) if checked.span == span => Some(checked),
             _ => None,
         })

@@ -22,7 +22,7 @@ pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Req
         "textDocument/definition" => with(params, |params| server.definition(&params)),
         "textDocument/references" => with(params, |params| server.references(&params)),
         "textDocument/documentHighlight" => with(params, |params| server.highlights(&params)),
-        "textDocument/prepareRename" => with(params, |params| server.prepare_rename(&params)),
+        "textDocument/prepareRename" => server.prepare_rename(&parsed(params)?),
         "textDocument/rename" => server.rename(&parsed(params)?),
         "textDocument/documentSymbol" => with(params, |params| server.symbols(&params)),
         "workspace/symbol" => with(params, |params| server.workspace_symbols(&params)),

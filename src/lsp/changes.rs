@@ -33,11 +33,10 @@ impl Server<'_> {
         let uri = params.text_document.uri.as_str().to_owned();
         let unit = self.client.unit;
         let Some(open) = self.documents.get_mut(&uri) else { return };
-        let is_whole = params.content_changes.iter().any(|change| change.range.is_none());
-        if params.text_document.version < open.version && !is_whole {
-            // An edit of a text that is not there any more would spoil this one.
+        if params.text_document.version < open.version {
+            // A text that is not there any more, or an edit of it, would spoil this one.
             let message = format!(
-                "{uri}: an edit of version {} came after version {}",
+                "{uri}: version {} came after version {}",
                 params.text_document.version, open.version
             );
             return self.notify("window/logMessage", json!({ "type": 2, "message": message }));

@@ -1,6 +1,6 @@
 //! Commands that lenses offer: a test is run, a definition is shown.
 
-use std::time::Duration;
+use std::{sync::Arc, time::Duration};
 
 use crossbeam_channel::RecvTimeoutError;
 use lsp_server::ErrorCode;
@@ -8,11 +8,15 @@ use serde_json::{Value as Json, json};
 
 use super::{
     capabilities::{TEST, VIEW},
+    documents::OpenDocument,
     paths,
     server::{RequestError, RequestResult, Server},
     viewer::StartedViewer,
 };
-use crate::{eval::TestFilter, session::TestVerdict};
+use crate::{
+    eval::TestFilter,
+    session::{Event, TestReport, TestVerdict},
+};
 
 /// A test that runs for so long is stopped.
 const PATIENCE: Duration = Duration::from_secs(10);
@@ -49,21 +53,26 @@ impl Server<'_> {
         drop(ended);
         let _ = watch.join();
         self.stop.reset();
-        let tests: Vec<Json> = report
-            .tests
-            .iter()
-            .map(|test| json!({ "name": test.name, "verdict": test.verdict.word() }))
-            .collect();
+        let report = Arc::new(report);
+        let told = |test: &TestReport| json!({ "name": test.name, "verdict": test.verdict.word(), "reasons": reasons(test) });
+        let tests: Vec<Json> = report.tests.iter().map(told).collect();
         let has_passed = report.tests.iter().all(|test| test.verdict == TestVerdict::Passed);
-        let words: Vec<String> = report
-            .tests
-            .iter()
-            .map(|test| format!("{}: {}", test.name, test.verdict.word()))
-            .collect();
+        let words = report.tests.iter().map(|test| {
+            let all = [vec![test.verdict.word().to_owned()], reasons(test)].concat();
+            format!("{}: {}", test.name, all.join("; "))
+        });
+        let words: Vec<String> = words.collect();
         let text =
             if words.is_empty() { format!("there is no test `{name}`") } else { words.join(", ") };
         let kind = if has_passed && !words.is_empty() { 3 } else { 1 };
         self.notify("window/showMessage", json!({ "type": kind, "message": text }));
+        // What the test found is told with what the last run did.
+        let open = self.documents.get_mut(uri);
+        if let Some(values) = open.and_then(OpenDocument::values_mut) {
+            values.take_tests(&report);
+            self.publish(uri);
+            self.refresh();
+        }
         Ok(json!({ "passed": has_passed, "tests": tests }))
     }
 
@@ -102,4 +111,18 @@ impl Server<'_> {
         }
         Ok(json!({ "address": address }))
     }
+}
+
+/// Why a test did not pass: its errors, the claims that do not hold, the errors that did not come.
+fn reasons(test: &TestReport) -> Vec<String> {
+    let failed = test.events.iter().filter_map(|event| match event {
+        Event::Checked(checked) if !checked.verdict.holds => {
+            Some(format!("`{}`: {}", checked.source, checked.verdict.figures()))
+        }
+        Event::Expected(expected) if !expected.holds() => {
+            Some(format!("error {} was expected of `{}`", expected.code.id(), expected.source))
+        }
+        _ => None,
+    });
+    test.errors.iter().cloned().chain(failed).collect()
 }

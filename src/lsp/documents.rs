@@ -118,6 +118,12 @@ impl OpenDocument {
         self.values.as_ref().filter(|(serial, _)| *serial == self.serial).map(|(_, values)| values)
     }
 
+    /// The same, to be added to.
+    pub(super) fn values_mut(&mut self) -> Option<&mut Values> {
+        let (serial, values) = self.values.as_mut()?;
+        (*serial == self.serial).then_some(values)
+    }
+
     /// Takes in a report of the text with this serial.
     pub(super) fn take(&mut self, serial: u64, report: Arc<crate::session::Report>) {
         self.values = Some((serial, Values::new(report)));

@@ -80,7 +80,8 @@ impl Server<'_> {
         let Some(open) = self.documents.get(uri) else { return };
         let Some(values) = open.values() else { return };
         let report = std::sync::Arc::clone(values.report());
-        self.publish_all(uri, &report.sources, &report.diagnostics);
+        let found: Vec<Diagnostic> = values.findings().into_iter().cloned().collect();
+        self.publish_all(uri, &report.sources, &found);
     }
 
     /// Tells what is wrong with the text of a document, before its values are known.
@@ -147,12 +148,12 @@ impl Server<'_> {
         }
         let early;
         let (sources, diagnostics) = match open.values() {
-            Some(values) => (&values.report().sources, &values.report().diagnostics),
+            Some(values) => (&values.report().sources, values.findings()),
             // While the run takes long, what is wrong with the text alone.
             None => {
                 let text = open.text.as_bytes();
                 early = self.session.name_uses(open.name(), text, &self.files(open));
-                (&early.1, &early.0.diagnostics)
+                (&early.1, early.0.diagnostics.iter().collect())
             }
         };
         let places = open.places(self.client.unit);

@@ -15,7 +15,10 @@ use lsp_types::{
 use serde_json::json;
 
 use super::{capabilities, convert::TextPlaces, documents::OpenDocument, paths, server::Server};
-use crate::ide::{self, Document, HintKind, LensKind, TokenKind};
+use crate::{
+    ide::{self, Document, HintKind, LensKind, TokenKind},
+    session::TestVerdict,
+};
 
 pub(super) fn markdown(value: String) -> MarkupContent {
     MarkupContent { kind: MarkupKind::Markdown, value }
@@ -36,8 +39,9 @@ impl Server<'_> {
 
     pub(super) fn signature_help(&self, params: &SignatureHelpParams) -> Option<SignatureHelp> {
         let at = &params.text_document_position_params;
-        let (_, document, places) = self.open(&at.text_document.uri)?;
-        let found = document.signatures(self.session.registry(), places.offset(at.position));
+        let (open, document, places) = self.open(&at.text_document.uri)?;
+        let at = places.offset(at.position);
+        let found = document.signatures(&self.session, open.last_values(), at);
         let active = found.first()?.active;
         let signatures = found.into_iter().map(|one| SignatureInformation {
             documentation: documentation(&one.docs),
@@ -159,8 +163,17 @@ impl Server<'_> {
     }
 
     pub(super) fn formatted(&self, params: &DocumentFormattingParams) -> Option<Vec<TextEdit>> {
-        let open = self.documents.get(params.text_document.uri.as_str())?;
-        Some(open.places(self.client.unit).edits(&ide::formatted(&self.session, &open.text)))
+        let (open, document, places) = self.open(&params.text_document.uri)?;
+        if let Some(fault) = document.outline().faults.first() {
+            let line = places.position(fault.primary.span.range().start).line + 1;
+            let why = format!(
+                "{}: not formatted because of a mistake in line {line}: {}",
+                open.name(),
+                fault.message
+            );
+            self.notify("window/showMessage", json!({ "type": 2, "message": why }));
+        }
+        Some(places.edits(&ide::formatted(&self.session, &open.text)))
     }
 
     pub(super) fn range_formatted(
@@ -177,9 +190,15 @@ impl Server<'_> {
     ) -> Option<Vec<TextEdit>> {
         let at = &params.text_document_position;
         let line = at.position.line as usize;
-        // After a line break the line that was finished; the new one is being written.
-        let line = if params.ch == "\n" { line.checked_sub(1)? } else { line };
-        self.lines_formatted(&at.text_document.uri, line..line + 1)
+        if params.ch != "\n" {
+            return self.lines_formatted(&at.text_document.uri, line..line + 1);
+        }
+        // After a line break the line that was finished; from the new one on all is being written.
+        let finished = line.checked_sub(1)?;
+        let mut edits = self.lines_formatted(&at.text_document.uri, finished..line)?;
+        let written = lsp_types::Position::new(at.position.line, 0);
+        edits.retain(|edit| edit.range.end <= written);
+        Some(edits)
     }
 
     fn lines_formatted(&self, uri: &Uri, lines: std::ops::Range<usize>) -> Option<Vec<TextEdit>> {
@@ -217,7 +236,14 @@ impl Server<'_> {
         }
         let lens = |lens: ide::Lens| {
             let (title, command, name) = match lens.kind {
-                LensKind::Test(name) => ("run".to_owned(), capabilities::TEST, name),
+                LensKind::Test { name, verdict } => {
+                    let title = match verdict {
+                        Some(TestVerdict::Passed) => "run (✓ passed)".to_owned(),
+                        Some(verdict) => format!("run (✗ {})", verdict.word()),
+                        None => "run".to_owned(),
+                    };
+                    (title, capabilities::TEST, name)
+                }
                 LensKind::View(name) => ("open in view".to_owned(), capabilities::VIEW, name),
                 LensKind::Check { holds, figures } => {
                     let sign = if holds { "✓" } else { "✗" };

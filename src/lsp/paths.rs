@@ -102,6 +102,10 @@ impl Files for OverlaidFiles {
             None => self.disk.read(path, most),
         }
     }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        self.disk.beside(path)
+    }
 }
 
 /// The scripts below these folders, in order; hidden folders, `target` and `node_modules` are left out.

@@ -8,6 +8,7 @@ use std::{
 
 use lsp_server::ErrorCode;
 use lsp_types::{RenameParams, TextDocumentPositionParams, TextEdit, Uri, WorkspaceEdit};
+use serde_json::{Value as Json, json};
 
 use super::{
     convert::TextPlaces,
@@ -18,12 +19,17 @@ use super::{
 use crate::ide::{self, LineIndex, Outline};
 
 impl Server<'_> {
-    pub(super) fn prepare_rename(
-        &self,
-        params: &TextDocumentPositionParams,
-    ) -> Option<lsp_types::Range> {
-        let (_, document, places) = self.open(&params.text_document.uri)?;
-        Some(places.range(&document.renamable(places.offset(params.position))?))
+    pub(super) fn prepare_rename(&self, params: &TextDocumentPositionParams) -> RequestResult {
+        let refused = |why: String| RequestError(ErrorCode::RequestFailed, why);
+        let Some((_, document, places)) = self.open(&params.text_document.uri) else {
+            return Ok(Json::Null);
+        };
+        let at = places.offset(params.position);
+        match document.renamable(at) {
+            Ok(place) => Ok(json!(places.range(&place))),
+            Err(why) if document.definition(at).is_some() => Err(refused(why)),
+            Err(_) => Ok(Json::Null),
+        }
     }
 
     pub(super) fn rename(&self, params: &RenameParams) -> RequestResult {

@@ -18,7 +18,9 @@ use crate::{
 
 /// A run that is evaluated while the text of another document changes may go on for so long.
 const PATIENCE: Duration = Duration::from_millis(300);
-/// How long a pause in typing is waited for at most, where runs take long.
+/// How long a pause in typing is waited for at least: nobody reads what is told between two keys of a burst.
+const SHORTEST_PAUSE: Duration = Duration::from_millis(12);
+/// And at most, where runs take long.
 const LONGEST_PAUSE: Duration = Duration::from_millis(250);
 /// Documents whose results are remembered.
 const MOST_REMEMBERED: usize = 16;
@@ -82,7 +84,10 @@ impl EvaluationQueue {
     /// Wants a text evaluated, and no older one of the document.
     pub(super) fn want(&self, job: EvaluationRequest) {
         let mut wanted = self.lock();
-        let pause = wanted.took.get(&job.uri).copied().unwrap_or_default().min(LONGEST_PAUSE);
+        // A document that is opened was not typed.
+        let took = wanted.took.get(&job.uri);
+        let pause =
+            took.map_or(Duration::ZERO, |took| (*took).clamp(SHORTEST_PAUSE, LONGEST_PAUSE));
         match wanted.running.clone() {
             Some((uri, _)) if uri == job.uri => self.stop.stop(),
             Some((_, since)) if PATIENCE < since.elapsed() => {

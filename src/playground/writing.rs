@@ -142,7 +142,7 @@ impl Playground {
     fn signature(&self, document: &Document, body: &Json) -> Answer {
         let places = Places::of(document);
         let at = places.asked(body)?;
-        let signatures = document.signatures(self.session.registry(), at);
+        let signatures = document.signatures(&self.session, self.values().as_ref(), at);
         let signature = |its: &ide::CalledSignature| {
             let parameter =
                 |its: &ide::SignatureParameter| json!({ "label": its.label, "docs": its.docs });

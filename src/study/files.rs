@@ -69,4 +69,8 @@ impl Files for KeptFiles<'_> {
         read.contents.insert(key, content.clone());
         content
     }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        self.from.beside(path)
+    }
 }

@@ -26,6 +26,13 @@ pub enum CompletionPlace<'s> {
         /// The label that it is the value of.
         label: Option<&'s str>,
     },
+    /// The form in which an interpolated number is written, behind its colon.
+    Format {
+        /// Where it begins.
+        start: usize,
+        /// What is written.
+        of: &'s str,
+    },
     /// A comment.
     Comment,
 }
@@ -38,22 +45,19 @@ pub fn place(source: &str) -> CompletionPlace<'_> {
     if lexed.comments.iter().any(|comment| comment.span.range().end == end) {
         return CompletionPlace::Comment;
     }
-    // An open string is one bad token up to the end of its line.
-    let last = lexed.tokens.len().saturating_sub(2);
-    let open_text = (lexed.tokens.len() > 1
-        && lexed.token(last) == Token::Bad
-        && lexed.text(last).starts_with('"'))
-    .then_some(last);
-    if let Some(at) = open_text {
+    if let Some(at) = open_text(&lexed) {
         // What is computed inside of a string is a name again.
-        let text = &source[lexed.span(at).range().start..];
-        if let Some(brace) = open_brace(text) {
-            return place(&text[brace + 1..]).shifted(source.len() - text.len() + brace + 1);
+        let code = open_code(source);
+        if 0 < code {
+            return format_of(&source[code..])
+                .unwrap_or_else(|| place(&source[code..]))
+                .shifted(code);
         }
         let label = (at > 1 && lexed.token(at - 1) == Token::Equals).then(|| lexed.text(at - 2));
         let start = lexed.span(at).range().start + 1;
         return CompletionPlace::Text { start, call: called(&lexed, at), label };
     }
+    let last = lexed.tokens.len().saturating_sub(2);
     let is_word = lexed.tokens.len() > 1
         && (lexed.token(last).is_word() || lexed.token(last) == Token::Placeholder)
         && lexed.span(last).range().end == end;
@@ -71,13 +75,54 @@ impl CompletionPlace<'_> {
     /// The same in a text with so many bytes before.
     fn shifted(mut self, n_bytes: usize) -> Self {
         match &mut self {
-            Self::Name { start } | Self::Field { start, .. } | Self::Text { start, .. } => {
-                *start += n_bytes;
-            }
+            Self::Name { start }
+            | Self::Field { start, .. }
+            | Self::Text { start, .. }
+            | Self::Format { start, .. } => *start += n_bytes,
             Self::Comment => {}
         }
         self
     }
+}
+
+/// The token of the string that is open at the end: one bad token up to the end of its line.
+fn open_text(lexed: &Lexed<'_>) -> Option<usize> {
+    let last = lexed.tokens.len().checked_sub(2)?;
+    (lexed.token(last) == Token::Bad && lexed.text(last).starts_with('"')).then_some(last)
+}
+
+/// Where the code begins that is open at the end of a text: behind the brace of an interpolation, else at 0.
+///
+/// ```
+/// use virote::syntax::open_code;
+///
+/// assert_eq!(open_code("print \"{a} and {max(b, "), 16);
+/// assert_eq!(open_code("print max(b, "), 0);
+/// ```
+#[must_use]
+pub fn open_code(source: &str) -> usize {
+    let lexed = lex(source, 0);
+    let Some(start) = open_text(&lexed).map(|at| lexed.span(at).range().start) else { return 0 };
+    open_brace(&source[start..]).map_or(0, |brace| start + brace + 1)
+}
+
+/// The place behind the colon of an interpolation whose code is `source`, if there is one.
+fn format_of(source: &str) -> Option<CompletionPlace<'_>> {
+    let lexed = lex(source, 0);
+    let mut depth = 0_usize;
+    for at in 0..lexed.tokens.len() {
+        match lexed.token(at) {
+            token if token.opens() => depth += 1,
+            token if token.closes() => depth = depth.checked_sub(1)?,
+            Token::Colon if depth == 0 => {
+                let colon = lexed.span(at).range();
+                let of = source[..colon.start].trim();
+                return Some(CompletionPlace::Format { start: colon.end, of });
+            }
+            _ => {}
+        }
+    }
+    None
 }
 
 /// The brace of an interpolation that is open at the end of a string's text.
@@ -98,7 +143,7 @@ fn open_brace(text: &str) -> Option<usize> {
 }
 
 /// Where what ends with token `last` begins: a name or brackets with fields, elements and calls behind.
-fn operand_start(lexed: &Lexed<'_>, last: usize) -> usize {
+pub(super) fn operand_start(lexed: &Lexed<'_>, last: usize) -> usize {
     let mut at = last;
     loop {
         if lexed.token(at).closes() {
@@ -153,6 +198,8 @@ mod tests {
         assert_eq!(place("print \"a {wi"), CompletionPlace::Name { start: 10 });
         assert_eq!(place("print \"{a} {p.w"), CompletionPlace::Field { start: 14, of: "p" });
         assert!(matches!(place("print \"{a} \\{b"), CompletionPlace::Text { .. }));
+        assert_eq!(place("print \"{p.w:.3"), CompletionPlace::Format { start: 13, of: "p.w" });
+        assert_eq!(place("print \"{f({a: b"), CompletionPlace::Name { start: 14 });
         assert_eq!(
             place("interpolate(p, ends = \"nat"),
             CompletionPlace::Text { start: 23, call: Some("interpolate"), label: Some("ends") }

@@ -1,13 +1,21 @@
 //! What stands around a place in a text, also of one that does not parse: the call that is open there.
 
-use super::{lexed::Lexed, lexer::lex, outline::opening, token::Token};
+use super::{
+    completion_place::{open_code, operand_start},
+    lexed::Lexed,
+    lexer::lex,
+    outline::opening,
+    token::Token,
+};
 
 /// A call whose brackets are open at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct OpenCall<'s> {
     /// What is called: a name, or the keyword before the brackets.
     pub name: &'s str,
-    /// Its first byte.
+    /// The same with what stands before its dot: `rec.f` of `rec.f(`.
+    pub callee: &'s str,
+    /// The first byte of the name.
     pub start: usize,
     /// The argument that the place belongs to, among those without a label; what is piped into the call
     /// counts.
@@ -32,7 +40,9 @@ pub struct OpenCall<'s> {
 /// ```
 #[must_use]
 pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
-    let lexed = lex(source.get(..at)?, 0);
+    let source = source.get(..at)?;
+    let code = open_code(source);
+    let lexed = lex(&source[code..], 0);
     let end = lexed.tokens.len() - 1;
     let open = opening(&lexed, end)?;
     let callee = open.checked_sub(1)?;
@@ -43,7 +53,11 @@ pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
     let piped = callee.checked_sub(1).is_some_and(|before| lexed.token(before) == Token::Pipe);
     let mut found = OpenCall {
         name: lexed.text(callee),
-        start: lexed.span(callee).range().start,
+        callee: {
+            let from = lexed.span(operand_start(&lexed, callee)).range().start;
+            &source[code + from..code + lexed.span(callee).range().end]
+        },
+        start: code + lexed.span(callee).range().start,
         position: usize::from(piped),
         label: None,
         labels: Vec::new(),
@@ -78,12 +92,39 @@ pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
 /// ```
 #[must_use]
 pub fn open_list(source: &str, at: usize) -> Option<usize> {
-    let lexed = lex(source.get(..at)?, 0);
+    let source = source.get(..at)?;
+    let code = open_code(source);
+    let lexed = lex(&source[code..], 0);
     let open = opening(&lexed, lexed.tokens.len() - 1)?;
     let is_element =
         open.checked_sub(1).is_some_and(|before| lexed.token(before).ends_expression());
     (matches!(lexed.token(open), Token::OpenBracket | Token::LineBracket) && !is_element)
-        .then(|| lexed.span(open).range().start)
+        .then(|| code + lexed.span(open).range().start)
+}
+
+/// The end of the brackets that a text begins with.
+///
+/// ```
+/// use virote::syntax::end_of_brackets;
+///
+/// assert_eq!(end_of_brackets("(a, f(b)).c"), Some(9));
+/// assert_eq!(end_of_brackets("(a"), None);
+/// ```
+#[must_use]
+pub fn end_of_brackets(source: &str) -> Option<usize> {
+    let lexed = lex(source, 0);
+    let mut depth = 0_usize;
+    for at in 0..lexed.tokens.len() {
+        match lexed.token(at) {
+            token if token.opens() => depth += 1,
+            token if token.closes() => depth = depth.checked_sub(1)?,
+            _ => {}
+        }
+        if depth == 0 {
+            return (0 < at).then(|| lexed.span(at).range().end);
+        }
+    }
+    None
 }
 
 /// The keyword of the statement in which token `at` stands.
@@ -120,6 +161,7 @@ mod tests {
         assert_eq!(told("f(a, b = 2, c = "), "f 1 Some(\"c\") [\"b\"]");
         assert_eq!(told("x |> f("), "f 1 None []");
         assert_eq!(told("f(g(1, 2), h(1, "), "h 1 None []");
+        assert_eq!(told("print \"a {f(b, "), "f 1 None []");
         let text = "export a to \"a.obj\" with (tol";
         assert_eq!(open_call(text, text.len()).unwrap().statement, Some("export"));
         assert!(open_call("f(a)", 4).is_none() && open_call("[1, ", 4).is_none());

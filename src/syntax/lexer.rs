@@ -7,7 +7,6 @@ mod unseen;
 
 use logos::{Lexer, Logos};
 
-use foreign::FOREIGN;
 use scan::{PieceEnd, piece};
 
 use super::block_comment::is_closed;
@@ -285,27 +284,6 @@ impl<'s> Scanner<'s> {
                 is_glued && stands_alone
             }
             _ => false,
-        }
-    }
-
-    fn foreign(&mut self) {
-        let (span, text) = (self.span(), self.lexer.slice());
-        let known = FOREIGN.iter().find(|(spelling, ..)| *spelling == text);
-        let Some(&(_, meant, hint)) = known else { return self.stray() };
-        let diagnostic =
-            Diagnostic::error(Code::StrayText, span, format!("`{text}` means nothing here"));
-        let diagnostic = diagnostic.label("not part of the language").hint(hint);
-        self.complain(match meant {
-            _ if text == "°" => {
-                diagnostic.fix(foreign::degrees(self.source, self.out.spans.last(), span))
-            }
-            Token::Bad => diagnostic,
-            meant => {
-                diagnostic.fix(Fix::replace(span, foreign::apart(self.source, span, meant.text())))
-            }
-        });
-        if text != "°" {
-            self.push(meant);
         }
     }
 

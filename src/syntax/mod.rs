@@ -1,6 +1,7 @@
 //! Text to tree and back. Pure, and never fails: any text gives a tree and diagnostics.
 
 pub mod ast;
+mod bindings;
 mod block_comment;
 mod completion_place;
 mod cursor;
@@ -12,8 +13,9 @@ mod parser;
 mod print;
 mod token;
 
-pub use completion_place::{CompletionPlace, place};
-pub use cursor::{OpenCall, is_name, open_call, open_list};
+pub use bindings::{Binding, bindings};
+pub use completion_place::{CompletionPlace, open_code, place};
+pub use cursor::{OpenCall, end_of_brackets, is_name, open_call, open_list};
 pub use outline::{
     Highlight, OutlinedStatement, PromptEntry, StatementRole, entry, free_placeholders,
     is_complete, parts, pieces,

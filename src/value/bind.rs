@@ -6,11 +6,15 @@
 use std::{collections::HashMap, sync::Arc};
 
 use super::{
-    FromValue, Mismatch, Op, OpParameter, Type, Value, affine::varies, element::element_span,
-    misplaced, variation::looked_at,
+    FromValue, Mismatch, Op, OpParameter, Type, Value,
+    affine::varies,
+    bind_names::{half_of, meant_by, only_missing},
+    element::element_span,
+    misplaced,
+    variation::looked_at,
 };
 use crate::{
-    diag::{Code, Diagnostic, Fix, Sources, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Sources, Span, Spanned},
     limits::Ceiling,
 };
 
@@ -67,6 +71,13 @@ impl Mistakes {
         }
     }
 
+    /// The edit mends the mistake that was added last.
+    fn mended_by(&mut self, fix: Fix) {
+        if let Some(last) = self.0.last_mut() {
+            last.fix = Some(fix);
+        }
+    }
+
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -110,9 +121,6 @@ impl Mistakes {
 
 /// Mistakes of one call that are told one by one; the rest is counted.
 const MOST_TOLD: usize = 20;
-
-/// Names that a misspelt one is compared with.
-const MOST_NAMES: usize = 1000;
 
 /// Parameters by name.
 struct ParameterPlaces<'f>(Option<HashMap<&'f str, usize>>);
@@ -161,16 +169,21 @@ pub fn assign(
     }
 
     // One whose name is misspelt or cut short is taken for what it stands for.
+    let n_positional = call.positional.len();
+    let n_unknown = unknown.len();
     for (n_searched, (label, value)) in unknown.into_iter().enumerate() {
         let meant = (n_searched < MOST_TOLD).then(|| meant_by(formals, &slots, &label.value));
-        let meant = meant.flatten();
+        let half = half_of(formals, &label.value);
+        let only = || only_missing(formals, &slots, n_positional, &value);
+        let is_only = n_unknown == 1 && half.is_none();
+        let meant = meant.flatten().or_else(|| is_only.then(only).flatten());
         let hint = match meant {
             Some(idx) => {
                 by_name[idx] = true;
                 slots[idx] = Some(value);
                 Some(format!("did you mean `{}`?", formals[idx].name))
             }
-            None => half_of(formals, &label.value),
+            None => half,
         };
         let text = format!("there is no parameter `{}`", label.value);
         mistakes.add(Code::BadCall, label.span, text, hint);
@@ -211,34 +224,6 @@ pub fn assign(
     slots
 }
 
-/// The open parameter that is meant by a name that none has: a near one, or the only one that
-/// begins so, among those that are required first.
-fn meant_by(
-    formals: &[FormalParameter<'_>],
-    slots: &[Option<Spanned<Value>>],
-    name: &str,
-) -> Option<usize> {
-    let open = || (0..formals.len()).take(MOST_NAMES).filter(|&idx| slots[idx].is_none());
-    if let Some(near) = nearest(name, open().map(|idx| formals[idx].name)) {
-        return open().find(|&idx| formals[idx].name == near);
-    }
-    let only = |is_optional: bool| {
-        let begins = |idx: &usize| {
-            formals[*idx].optional == is_optional && formals[*idx].name.starts_with(name)
-        };
-        let mut found = open().filter(begins);
-        found.next().filter(|_| found.next().is_none())
-    };
-    only(false).or_else(|| only(true))
-}
-
-/// What to write for a diameter, where a radius is asked for.
-fn half_of(formals: &[FormalParameter<'_>], name: &str) -> Option<String> {
-    let has_radius = formals.iter().any(|formal| formal.name == "radius");
-    let is_diameter = matches!(name, "d" | "diameter" | "dia");
-    (has_radius && is_diameter).then(|| "`radius` is half the diameter".to_owned())
-}
-
 /// Arguments by position for which no required parameter is left.
 fn complain_of_leftover(
     formals: &[FormalParameter<'_>],
@@ -255,10 +240,19 @@ fn complain_of_leftover(
             (Some(name), _) => {
                 (format!("one argument too many, since `{name}` is given by name"), None)
             }
-            (None, Some(place)) => (
-                "this argument is optional and needs its name".to_owned(),
-                Some(format!("write `{} = ...`", formals[optional.remove(place)].name)),
-            ),
+            (None, Some(place)) => {
+                let name = formals[optional.remove(place)].name;
+                let text = "this argument is optional and needs its name".to_owned();
+                let fix = Fix::insert(argument.span.at_start(), format!("{name} = "));
+                mistakes.add(
+                    Code::BadCall,
+                    argument.span,
+                    text,
+                    Some(format!("write `{name} = ...`")),
+                );
+                mistakes.mended_by(fix);
+                continue;
+            }
             (None, None) => ("one argument too many".to_owned(), None),
         };
         mistakes.add(Code::BadCall, argument.span, text, hint);
@@ -346,6 +340,12 @@ impl<'s> Binder<'s> {
         let own = mismatch.hint.map(|hint| hint.replace("`1mm", &format!("`1{}", self.unit)));
         self.mistakes.add(mismatch.code, place, text, own.or_else(|| wanted.remedy(&given.value)));
         self.mistakes.meant(mismatch.meant.map(|word| format!("\"{word}\"")));
+        let source = self.sources.and_then(|sources| sources.at(place));
+        let written = source.and_then(|source| source.text.get(source.local(place)));
+        let is_number = written.is_some_and(|text| text.parse::<f64>().is_ok());
+        if mismatch.code == Code::MissingAngleUnit && is_number {
+            self.mistakes.mended_by(Fix::insert(place.at_end(), "deg"));
+        }
     }
 
     /// Whether nothing was wrong so far.

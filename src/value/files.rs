@@ -2,6 +2,8 @@
 
 use std::{collections::BTreeMap, fmt::Debug};
 
+use crate::diag::{Code, Diagnostic, Fix, Span, nearest};
+
 /// Reads files that a script names.
 pub trait Files: Debug + Send + Sync {
     /// The bytes of the file at `path`, which is relative to the script. Of a file of more than
@@ -10,6 +12,33 @@ pub trait Files: Debug + Send + Sync {
     /// # Errors
     /// A sentence for the user: that there is no such file, that it is a folder.
     fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String>;
+
+    /// The names of files in the folder of `path`, as far as they are known: for whoever misspelt one.
+    fn beside(&self, _path: &str) -> Vec<String> {
+        Vec::new()
+    }
+}
+
+/// The finding that a file is missing, with the name of the one in its folder that is most likely meant, which can take
+/// the place of the name in the string at `place`; else with the hint `remedy`.
+#[must_use]
+pub fn missing_file(
+    files: &dyn Files,
+    path: &str,
+    (place, message): (Span, String),
+    remedy: &str,
+) -> Box<Diagnostic> {
+    let found = Diagnostic::error(Code::FileMissing, place, message);
+    let name = path.rsplit('/').next().unwrap_or_default();
+    let names = files.beside(path);
+    let near = nearest(name, names.iter().map(String::as_str)).filter(|near| *near != name);
+    Box::new(match near {
+        Some(near) => {
+            let fix = Fix::file_name(place, name, near);
+            fix.into_iter().fold(found.label(format!("did you mean `{near}`?")), Diagnostic::fix)
+        }
+        None => found.hint(remedy),
+    })
 }
 
 /// No files at all: for scripts that read and import nothing.
@@ -51,6 +80,12 @@ impl Files for MemoryFiles {
     fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String> {
         let bytes = self.0.get(path).ok_or_else(|| there_is_no(path))?;
         Ok(bytes[..bytes.len().min(most.saturating_add(1))].to_vec())
+    }
+
+    fn beside(&self, path: &str) -> Vec<String> {
+        let folder = &path[..path.rfind('/').map_or(0, |slash| slash + 1)];
+        let names = self.0.keys().filter_map(|known| known.strip_prefix(folder));
+        names.filter(|name| !name.contains('/')).map(str::to_owned).collect()
     }
 }
 

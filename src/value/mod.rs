@@ -7,6 +7,7 @@
 mod affine;
 mod appearance;
 mod bind;
+mod bind_names;
 mod common_dimension;
 mod compare;
 mod control_points;
@@ -73,7 +74,7 @@ pub use element::pointed;
 pub use error_map::{At, blamed_on, code_of, hint_of, raised};
 pub use example::{Example, ExamplePicture, RefusalExample};
 pub use field::{field, field_names, field_names_of, table_row};
-pub use files::{Files, MemoryFiles, NoFiles};
+pub use files::{Files, MemoryFiles, NoFiles, missing_file};
 pub use format::{FormatRefusal, NumberFormat};
 pub use from_value::{
     Angle, AtLeast, Callback, Choice, FromValue, Length, Maybe, Mismatch, Numbers, Rows,

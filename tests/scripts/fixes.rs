@@ -63,7 +63,38 @@ fn slips_are_mended() {
 }
 
 #[test]
+fn what_is_missing_is_inserted() {
+    check("print 2sin(3)", "print 2 * sin(3)");
+    check("print max([1, 2, 3)", "print max([1, 2, 3])");
+    check("print [1, 2, (3, 4], 5]", "print [1, 2, (3, 4), 5]");
+    check(
+        "print circle((0, 0, 0), 3mm, (0, 0, 1))",
+        "print circle((0, 0, 0), 3mm, normal = (0, 0, 1))",
+    );
+    check("print rotate(circle((0, 0), 1), 90)", "print rotate(circle((0, 0), 1), 90deg)");
+    check("print if true 1 else 2", "print if true then 1 else 2");
+    check("print if true then 1 2", "print if true then 1 else 2");
+    check("print if true then 1", "print if true then 1 else none");
+    check("let a = 1\ngeo 1\nprint a", "geo 1\nlet a = 1\nprint a");
+    check("unit mm\nunit mm\nprint 1", "unit mm\nprint 1");
+    check(
+        "print arc((0, 0, 0), 3mm, start = 0deg, to = 90deg)",
+        "print arc((0, 0, 0), 3mm, from = 0deg, to = 90deg)",
+    );
+    check("param a: angle = 3mm  print a", "param a: length = 3mm  print a");
+    let two_letters = run("print zz", &MemoryFiles::default());
+    assert!(two_letters.diagnostics[0].fixes.is_empty(), "half of it is another letter");
+}
+
+#[test]
 fn habits_from_elsewhere_are_mended() {
+    check("print 7 mod 3", "print 7 % 3");
+    check("let f = |x| x  print f(2)", "let f = x => x  print f(2)");
+    check("print fold([1, 2], 0, |a, b| a + b)", "print fold([1, 2], 0, (a, b) => a + b)");
+    check("print true | false", "print true or false");
+    check("print [1, 2] | sum()", "print [1, 2] |> sum()");
+    check("fn f(r) -> 2 * r  print f(1)", "fn f(r) = 2 * r  print f(1)");
+    check("let f = x -> x  print f(1)", "let f = x => x  print f(1)");
     check("print 1 <> 2", "print 1 != 2");
     check("print true && false", "print true and false");
     check("print !true", "print not true");
@@ -106,6 +137,8 @@ fn habits_from_elsewhere_are_mended() {
 fn files_are_mended() {
     let files = MemoryFiles::from([("my-part.geo", "let size = 3\n"), ("a.csv", "x,y\n1,2\n")]);
     for (wrong, right) in [
+        ("import \"my-prat.geo\" as part", "import \"my-part.geo\" as part"),
+        ("print load(\"b.csv\")", "print load(\"a.csv\")"),
         ("import \"my-part.geo\"", "import \"my-part.geo\" as my_part"),
         ("print load(\"a.cvs\")", "print load(\"a.csv\")"),
     ] {

@@ -19,7 +19,7 @@ fn renamed(session: &Session, text: &str, files: &ScriptFiles) -> (String, usize
         let names = document.outline().names.iter();
         let next = names
             .filter(|name| !name.name.contains(FRESH) && name.name != "_")
-            .find(|name| document.renamable(name.place.start).is_some());
+            .find(|name| document.renamable(name.place.start).is_ok());
         let Some(name) = next else { return (text, n_renamed) };
         let fresh = format!("{FRESH}{}{n_renamed}", name.name.trim_start_matches('_'));
         let found = document.rename(session, files, name.place.start, &fresh);
@@ -54,7 +54,7 @@ fn every_definition_of_every_example_takes_a_fresh_name() {
         let text = fs::read_to_string(&path).expect("an example");
         let document = Document::new(&session, "main.geo", &text, &files);
         for name in &document.outline().names {
-            if document.renamable(name.place.start).is_some() {
+            if document.renamable(name.place.start).is_ok() {
                 n_all += 1;
                 let found = document.rename(&session, &files, name.place.start, FRESH);
                 assert!(found.is_ok(), "{}, {}: {found:?}", path.display(), name.name);

@@ -3,21 +3,24 @@
 use std::sync::Arc;
 
 use virote::{
-    ide::{self, Completion, Document, FolderEntry, HintOptions, LensKind, TextEdit, Values},
+    ide::{
+        self, CalledSignature, Completion, Document, FolderEntry, HintOptions, LensKind, TextEdit,
+        Values,
+    },
     session::Session,
     value::MemoryFiles,
 };
 
 /// A script with a cursor, looked at and run.
-struct Scene {
-    session: Session,
+pub(crate) struct Scene {
+    pub(crate) session: Session,
     files: MemoryFiles,
-    document: Document,
-    values: Values,
-    at: usize,
+    pub(crate) document: Document,
+    pub(crate) values: Values,
+    pub(crate) at: usize,
 }
 
-fn scene_with(marked: &str, files: MemoryFiles) -> Scene {
+pub(crate) fn scene_with(marked: &str, files: MemoryFiles) -> Scene {
     let at = marked.find('‸').unwrap_or(0);
     let text = marked.replace('‸', "");
     let session = Session::default();
@@ -26,17 +29,17 @@ fn scene_with(marked: &str, files: MemoryFiles) -> Scene {
     Scene { session, files, document, values, at }
 }
 
-fn scene(marked: &str) -> Scene {
+pub(crate) fn scene(marked: &str) -> Scene {
     scene_with(marked, MemoryFiles::default())
 }
 
 impl Scene {
-    fn hover(&self) -> String {
+    pub(crate) fn hover(&self) -> String {
         let found = self.document.hover(&self.session, Some(&self.values), self.at);
         found.map(|(text, _)| text).unwrap_or_default()
     }
 
-    fn completions(&self) -> Vec<Completion> {
+    pub(crate) fn completions(&self) -> Vec<Completion> {
         let list = |folder: &str| match folder {
             "" => vec![
                 FolderEntry { name: "part.geo".to_owned(), is_folder: false },
@@ -48,7 +51,11 @@ impl Scene {
         self.document.completions(&self.session, Some(&self.values), &list, self.at)
     }
 
-    fn completion(&self, label: &str) -> Completion {
+    pub(crate) fn signatures(&self) -> Vec<CalledSignature> {
+        self.document.signatures(&self.session, Some(&self.values), self.at)
+    }
+
+    pub(crate) fn completion(&self, label: &str) -> Completion {
         let found = self.completions();
         let labels: Vec<&str> = found.iter().map(|one| one.label.as_str()).collect();
         let one = found.iter().find(|one| one.label == label);
@@ -263,22 +270,25 @@ fn a_hover_measures() {
     assert!(told(block).ends_with("solid of 3 faces"), "that takes a closer look: {}", told(block));
     assert_eq!(closer(block, "block"), "volume 6.28319 mm^3, area 18.8496 mm^2");
     let param = "param width = 5mm in 1mm..9mm step 1mm \"How wide\"\nprint widt‸h";
-    assert_eq!(told(param), "```geo\nparam width in 1mm..9mm step 1mm\n```\n\n5 mm\n\n*How wide*");
+    assert_eq!(
+        told(param),
+        "```geo\nparam width: length in 1mm..9mm step 1mm\n```\n\n5 mm\n\n*How wide*"
+    );
 }
 
 #[test]
 fn a_signature_knows_its_argument() {
     let one = scene("let c = circle((0, 0), ‸");
-    let found = one.document.signatures(one.session.registry(), one.at);
+    let found = one.signatures();
     assert_eq!(
         found[0].active.map(|idx| found[0].parameters[idx].label.clone()).unwrap(),
         "radius: length"
     );
     let one = scene("let c = circle((1, ‸");
-    let found = one.document.signatures(one.session.registry(), one.at);
+    let found = one.signatures();
     assert!(found[0].label.starts_with("circle(") && found[0].active == Some(0), "{found:?}");
     let one = scene("/// Doubles.\nfn twice(x, by = 2) = by * x\nlet c = twice(1, by = ‸)");
-    let found = one.document.signatures(one.session.registry(), one.at);
+    let found = one.signatures();
     assert_eq!((found[0].label.as_str(), found[0].active), ("fn twice(x, by = 2)", Some(1)));
     assert_eq!(found[0].docs, "Doubles.");
 }
@@ -362,7 +372,8 @@ fn hints_tell_values_margins_and_parameters() {
     let lenses =
         scene("curve c = line((0, 0), (1, 0))\ntest \"two\" { check 1 < 2 }").document.lenses(None);
     let kinds: Vec<&LensKind> = lenses.iter().map(|lens| &lens.kind).collect();
-    assert_eq!(kinds, [&LensKind::View("c".to_owned()), &LensKind::Test("two".to_owned())]);
+    let test = LensKind::Test { name: "two".to_owned(), verdict: None };
+    assert_eq!(kinds, [&LensKind::View("c".to_owned()), &test]);
 }
 
 #[test]
@@ -439,7 +450,7 @@ fn every_place_of_every_example_can_be_asked() {
         let document = Document::new(&session, "main.geo", &text, &files);
         for (at, _) in text.char_indices().step_by(7) {
             let _ = document.hover(&session, None, at);
-            let _ = document.signatures(session.registry(), at);
+            let _ = document.signatures(&session, None, at);
             let _ = document.selections(at);
             for found in document.references(at) {
                 assert_eq!(document.definition(found.start), document.definition(at));

@@ -113,7 +113,8 @@ impl Scope {
             return None;
         }
         let document = self.document(line);
-        let signatures = document.signatures(self.session.registry(), document.text().len());
+        let signatures =
+            document.signatures(&self.session, Some(&self.values), document.text().len());
         let first = signatures.into_iter().next()?;
         Some(first.parameters.into_iter().nth(first.active?)?.label)
     }

@@ -249,6 +249,7 @@ impl<'s> Lowerer<'_, 's> {
         let value = self.expr(&param.default);
         let rules = ParamRules {
             kind,
+            kind_span: param.kind.map(|name| self.at(name.span)),
             allowed: param.allowed.as_ref().map(|allowed| self.expr(allowed)),
             step: param.step.as_ref().map(|step| self.expr(step)),
             label: param.label.as_ref().map(|label| self.expr(label)),

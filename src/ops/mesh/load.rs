@@ -11,7 +11,7 @@ use crate::{
         Ceiling, Limits,
         work::{self, End},
     },
-    value::{Ctx, Value, decode, from_json, op, read_json},
+    value::{Ctx, Value, decode, from_json, missing_file, op, read_json},
 };
 
 op! {
@@ -92,8 +92,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
 fn bytes(path: &str, span: Span, ctx: &Ctx<'_>) -> Result<Vec<u8>> {
     let most = ctx.limits.input_bytes.min(work::room());
     let bytes = ctx.files.read(path, most).map_err(|message| {
-        let hint = "paths are relative to the script";
-        Box::new(Diagnostic::error(Code::FileMissing, span, message).hint(hint))
+        missing_file(ctx.files, path, (span, message), "paths are relative to the script")
     })?;
     if bytes.len() <= most {
         return Ok(bytes);

@@ -156,20 +156,47 @@ impl BracketPairing<'_, '_> {
         self.spoil(at, at + 1);
     }
 
-    /// `(a]`: reported, and taken for `(a)`.
+    /// `(a]`: reported, and taken for `(a)`. A bracket is missing before it, or it is another one than was meant: what
+    /// fits those behind.
     fn crossed(&mut self, at: usize) {
         let Some(open) = self.open.pop() else { return };
         let (opening, closing) = (self.lexed.tokens[open.at].anywhere(), self.lexed.tokens[at]);
         if !self.is_crossed {
             let message = format!("{} does not close {}", closing.shown(), opening.shown());
-            let diagnostic = Diagnostic::error(Code::StrayBracket, self.lexed.span(at), message)
-                .label(format!("expected {} before this", counterpart(opening).shown()))
-                .also(self.lexed.span(open.at), "opened here")
-                .fix(Fix::replace(self.lexed.span(at), counterpart(opening).text()));
-            self.report(diagnostic);
+            let found = Diagnostic::error(Code::StrayBracket, self.lexed.span(at), message);
+            let meant = counterpart(opening);
+            let found = if self.fits(None, at) {
+                let fix = Fix::insert(self.lexed.span(at).at_start(), meant.text());
+                found.label(format!("expected {} before this", meant.shown())).fix(fix)
+            } else if !self.fits(None, at + 1) && self.fits(Some(opening), at + 1) {
+                found.label("no bracket of its kind is open here")
+            } else {
+                found.meant(meant.text())
+            };
+            self.report(found.also(self.lexed.span(open.at), "opened here"));
         }
         self.is_crossed = true;
         self.lexed.tokens[at] = counterpart(opening);
+    }
+
+    /// Whether the brackets from token `start` to the end of the statement close those that are open, `innermost` too,
+    /// and each other.
+    fn fits(&self, innermost: Option<Token>, start: usize) -> bool {
+        let open = self.open.iter().map(|open| self.lexed.tokens[open.at].anywhere());
+        let mut open: Vec<Token> = open.chain(innermost).collect();
+        for at in start..self.lexed.tokens.len() {
+            let token = self.lexed.tokens[at];
+            if token.opens() {
+                open.push(token.anywhere());
+            } else if token.closes() {
+                if open.pop().is_none_or(|opening| counterpart(opening) != token) {
+                    return false;
+                }
+            } else if self.lexed.begins_statement(at) && self.lexed.begins_line(at) {
+                break;
+            }
+        }
+        !open.iter().any(|opening| is_weak(index(*opening)))
     }
 
     /// Takes the brackets from number `first` on out of the script, up to token `end`, and tells

@@ -13,7 +13,9 @@ pub(super) fn number<'s>(input: &mut Input<'_, '_, 's>) -> ExprKind<'s> {
     input.skip();
     let script = input.state();
     let (text, span) = (script.text(at), script.span(at));
-    match read_number(text, span) {
+    let is_called = script.token(at + 1) == Token::OpenParen
+        && script.gap(at + 1).end == script.span(at + 1).start;
+    match read_number(text, span, is_called) {
         Ok((value, unit)) => ExprKind::Number(value, unit),
         Err(diagnostic) => {
             script.complain(*diagnostic);
@@ -22,8 +24,8 @@ pub(super) fn number<'s>(input: &mut Input<'_, '_, 's>) -> ExprKind<'s> {
     }
 }
 
-/// Value and unit of a number's text.
-fn read_number(text: &str, span: Span) -> diag::Result<(f64, Option<Unit>)> {
+/// Value and unit of a number's text, behind which brackets may stand as behind what is called.
+fn read_number(text: &str, span: Span, is_called: bool) -> diag::Result<(f64, Option<Unit>)> {
     let digits = digits_len(text.as_bytes());
     let (digits, suffix) = text.split_at(digits);
     let bad = |message: String| Diagnostic::error(Code::BadNumber, span, message);
@@ -48,7 +50,7 @@ fn read_number(text: &str, span: Span) -> diag::Result<(f64, Option<Unit>)> {
     }
     match Unit::from_name(suffix) {
         Some(unit) => Ok((value, Some(unit))),
-        None => unknown_unit(digits, suffix, span).fail(),
+        None => unknown_unit(digits, suffix, span, is_called).fail(),
     }
 }
 
@@ -71,7 +73,7 @@ fn digits_len(bytes: &[u8]) -> usize {
     len
 }
 
-fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
+fn unknown_unit(digits: &str, suffix: &str, span: Span, is_called: bool) -> Diagnostic {
     let diagnostic =
         Diagnostic::error(Code::UnknownUnit, span, format!("`{suffix}` is not a unit"))
             .label("unknown unit");
@@ -87,12 +89,13 @@ fn unknown_unit(digits: &str, suffix: &str, span: Span) -> Diagnostic {
     }
     // Of equally near units the millimetre.
     let known = || ["mm"].into_iter().chain(Unit::ALL.iter().map(|&(name, _)| name));
-    let is_constant = matches!(suffix, "pi" | "tau" | "π");
-    match by_habit(suffix).or_else(|| (!is_constant).then(|| nearest(suffix, known())).flatten()) {
+    let is_product = is_called || matches!(suffix, "pi" | "tau" | "π");
+    let unit = || by_habit(suffix).or_else(|| nearest(suffix, known()));
+    match (!is_product).then(unit).flatten() {
         Some(unit) => diagnostic
             .hint(format!("did you mean `{digits}{unit}`?"))
             .fix(Fix::replace(span, format!("{digits}{unit}"))),
-        None if is_constant => {
+        None if is_product => {
             let constant = if suffix == "π" { "pi" } else { suffix };
             diagnostic
                 .hint(format!("a product is written `{digits} * {constant}`"))

@@ -55,7 +55,7 @@ pub fn parse<'s>(source: &'s str, limits: &Limits) -> (Tree<'s>, Vec<Diagnostic>
     let statements = body::script().parse_with_state(grammar_input, &mut state).into_output();
     let tree = Tree { statements: statements.unwrap_or_default() };
     let mut diagnostics = state.0.diagnostics;
-    diagnostics.extend(order::check(&tree, most_diagnostics(limits)));
+    diagnostics.extend(order::check(source, &tree, most_diagnostics(limits)));
     diagnostics.sort_by_key(|diagnostic| diagnostic.primary.span);
     diagnostics.dedup();
     followup_errors::drop_echoes(source, &tree, &mut diagnostics);

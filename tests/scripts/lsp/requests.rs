@@ -251,8 +251,46 @@ fn canonical_form() {
     let mut more = options;
     more["ch"] = json!("\n");
     let (found, plain) =
+        asked("textDocument/onTypeFormatting", "let   a = 1\n\n‸\n\nlet   b = 2\n", more.clone());
+    assert_eq!(found, json!([]), "blank lines around the cursor stay: {plain}");
+    let (found, plain) =
         asked("textDocument/onTypeFormatting", "let   a = 1\n‸\nlet   b = 2\n", more);
     assert_eq!(applied(&plain, &found), "let a = 1\n\nlet   b = 2\n");
+}
+
+#[test]
+fn what_is_not_formatted_is_told() {
+    let mut client = Client::new();
+    client.open(URI, "let   a = 1\nlet b = (");
+    let options = json!({ "tabSize": 4, "insertSpaces": true });
+    let params = json!({ "textDocument": { "uri": URI }, "options": options });
+    assert_eq!(client.ask("textDocument/formatting", params), json!([]));
+    let told = client.hear("window/showMessage");
+    assert!(told["message"].as_str().unwrap().contains("in line 2"), "{told}");
+}
+
+#[test]
+fn a_test_that_fails_says_why() {
+    let mut client = Client::new();
+    client.open(URI, "let a = 2\ntest \"t1\" { check a < 1 }");
+    assert!(client.findings(URI, 1).is_empty());
+    client.forget();
+    let params = json!({ "command": "virote.runTest", "arguments": [URI, "t1"] });
+    let result = client.ask("workspace/executeCommand", params);
+    assert_eq!(result["tests"][0]["verdict"], "failed");
+    let told = client.hear("window/showMessage");
+    assert!(told["message"].as_str().unwrap().starts_with("t1: failed; `a < 1`: "), "{told}");
+    let found = client.findings(URI, 1);
+    assert_eq!((found.len(), &found[0]["range"]), (1, &range_of([1, 18, 1, 23])), "{found:?}");
+}
+
+#[test]
+fn a_field_that_is_taken_apart_is_not_renamed() {
+    let mut client = Client::new();
+    client.open(URI, "let {a1} = {a1: 1}");
+    let params =
+        json!({ "textDocument": { "uri": URI }, "position": { "line": 0, "character": 5 } });
+    assert!(client.refusal("textDocument/prepareRename", params).contains("the field"));
 }
 
 #[test]

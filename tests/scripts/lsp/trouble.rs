@@ -70,6 +70,9 @@ fn an_edit_of_an_older_version_is_passed_over() {
     client.edit(URI, 5, Some([0, 8, 0, 9]), "2");
     client.edit(URI, 3, Some([0, 0, 0, 9]), "print nothing");
     assert!(client.hear("window/logMessage")["message"].as_str().unwrap().contains("version 3"));
+    // Nor a whole text, and no edit of that one.
+    client.edit(URI, 3, None, "print nothing");
+    client.edit(URI, 4, Some([0, 0, 0, 5]), "check");
     client.edit(URI, 6, Some([0, 8, 0, 9]), "unknown");
     assert_eq!(client.findings(URI, 6)[0]["range"], range_of([0, 8, 0, 15]));
 }

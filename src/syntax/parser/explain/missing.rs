@@ -231,10 +231,19 @@ fn choice(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Diagnos
         return place.guess(&want, word);
     }
     let diagnostic = place.expected(&want);
-    if word == "else" {
-        return diagnostic.hint("an `if` always has an `else`: `if c then a else b`");
+    let gap = place.script.gap(place.at);
+    let goes_on = place.found().begins_expression() && !place.is_missing();
+    match word {
+        "else" if goes_on => diagnostic.fix(Fix::insert(gap, " else")),
+        // What else it may be only its author knows.
+        "else" => diagnostic.fix(Fix::insert(gap, " else none")),
+        "then" if place.found().begins_expression() => diagnostic.fix(Fix::insert(gap, " then")),
+        _ => diagnostic,
     }
-    diagnostic.hint("a choice is written `if c then a else b`")
+    .hint(match word {
+        "else" => "an `if` always has an `else`: `if c then a else b`",
+        _ => "a choice is written `if c then a else b`",
+    })
 }
 
 fn comprehension(place: &FailurePlace<'_, '_, '_>, expected: ExpectedTokens) -> Option<Diagnostic> {

@@ -34,6 +34,21 @@ const HABITS: &[(&str, &str)] = &[
     ("units", "unit"),
 ];
 
+/// Words that stand between two operands in other languages, and what stands there here.
+const OPERATORS: &[(&str, &str)] = &[
+    ("mod", "%"),
+    ("rem", "%"),
+    ("is", "=="),
+    ("eq", "=="),
+    ("ne", "!="),
+    ("lt", "<"),
+    ("le", "<="),
+    ("gt", ">"),
+    ("ge", ">="),
+    ("pow", "^"),
+    ("times", "*"),
+];
+
 /// Words that people write where the range of a `param` follows.
 const RANGE_WORDS: &[&str] = &["between", "among", "inside"];
 
@@ -182,6 +197,10 @@ fn side_by_side(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
     let (before, found) = (place.before(), place.found());
     let last = place.script.text(place.at.saturating_sub(1));
     let is_text = |token: Token| matches!(token, Token::Text | Token::TextHead);
+    let operator = OPERATORS.iter().find(|(word, _)| found == Token::Name && *word == place.text());
+    if let Some((_, operator)) = operator.filter(|_| place.next().begins_expression()) {
+        return place.guess("an operator or the next statement", operator);
+    }
     match found {
         Token::Name if matches!(last, "lambda" | "function" | "func") => {
             diagnostic.hint(format!("a function without a name is written `{0} => {0}^2`", place.text()))
