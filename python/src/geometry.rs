@@ -1,6 +1,9 @@
 //! Values that stay in the library, and curves and surfaces over arrays of parameters.
 
-use std::sync::Arc;
+use std::{
+    hash::{DefaultHasher, Hash, Hasher},
+    sync::Arc,
+};
 
 use numpy::{
     IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1,
@@ -13,7 +16,8 @@ use pyo3::{
 };
 use virote::{
     kernel::{
-        Column, Curve, Face, Interval, Mesh, NurbsCurve, Surface, Tolerance,
+        Column, Curve, Face, Grid, Interval, KnotVector, Mesh, NurbsCurve, NurbsSurface, Surface,
+        Tolerance,
         glam::{DVec3, DVec4},
     },
     session::HeldValue,
@@ -36,6 +40,39 @@ pub(crate) struct Held {
 
 /// Parameters as they come from Python: a flat array.
 type Parameters<'py> = PyReadonlyArray1<'py, f64>;
+
+/// A spline as Python has it: degrees, knot vectors, and the numbers of its homogeneous control points.
+type PlainSpline = (Vec<usize>, Vec<Vec<f64>>, Vec<f64>);
+
+/// The curve of one knot vector, or the surface of two, that [`Held::spline`] told of.
+#[pyfunction]
+pub(crate) fn spline(
+    py: Python<'_>,
+    degrees: Vec<usize>,
+    knots: Vec<Vec<f64>>,
+    points: Vec<f64>,
+) -> PyResult<Held> {
+    let knots =
+        degrees.into_iter().zip(knots).map(|(degree, knots)| KnotVector::new(degree, knots));
+    let knots = knots.collect::<Result<Vec<_>, _>>().map_err(|err| geom_error(py, err))?;
+    let points: Vec<DVec4> = points.as_chunks().0.iter().map(|&point| DVec4::from(point)).collect();
+    let made = match <[KnotVector; 2]>::try_from(knots) {
+        Ok([u, v]) => {
+            let [n_rows, n_columns] =
+                [&u, &v].map(|knots| knots.as_slice().len() - knots.degree() - 1);
+            Grid::new(n_rows, n_columns, points)
+                .and_then(|points| NurbsSurface::new(u, v, points))
+                .map(|surface| Value::Surface(surface.into()))
+        }
+        Err(mut knots) => {
+            let wrong = || PyValueError::new_err("a spline has one or two knot vectors");
+            let knots = knots.pop().filter(|_| knots.is_empty()).ok_or_else(wrong)?;
+            NurbsCurve::new(knots, points).map(|curve| Value::Curve(curve.into()))
+        }
+    };
+    let value = made.map_err(|err| geom_error(py, err))?;
+    Ok(Held { value: HeldValue::from(value) })
+}
 
 /// Points as an array of three columns.
 fn points_array<'py>(py: Python<'py>, points: &[DVec3]) -> PyResult<Bound<'py, PyArray2<f64>>> {
@@ -227,6 +264,51 @@ impl Held {
             Ok(())
         })?;
         array2(py, pairs.len(), 4, flat)
+    }
+
+    /// Whether both are splines of the same numbers.
+    fn same(&self, other: &Self) -> bool {
+        match (&*self.value, &*other.value) {
+            (Value::Curve(Curve::Nurbs(a)), Value::Curve(Curve::Nurbs(b))) => {
+                a.knots() == b.knots() && a.control_points() == b.control_points()
+            }
+            (Value::Surface(Surface::Nurbs(a)), Value::Surface(Surface::Nurbs(b))) => {
+                [a.knots_u(), a.knots_v()] == [b.knots_u(), b.knots_v()]
+                    && a.control_points() == b.control_points()
+            }
+            _ => false,
+        }
+    }
+
+    /// A number that splines of the same numbers share; none of other values.
+    fn key(&self) -> Option<u64> {
+        let (degrees, knots, points) = self.spline()?;
+        let mut hasher = DefaultHasher::new();
+        degrees.hash(&mut hasher);
+        for number in knots.iter().flatten().chain(&points) {
+            // Zeros of both signs are the same.
+            (number + 0.0).to_bits().hash(&mut hasher);
+        }
+        Some(hasher.finish())
+    }
+
+    /// Degrees, knot vectors and homogeneous control points one behind the other, of which [`spline`] makes the
+    /// same curve or surface again; none of what is no spline.
+    fn spline(&self) -> Option<PlainSpline> {
+        let flat = |points: &[DVec4]| points.iter().flat_map(DVec4::to_array).collect();
+        match &*self.value {
+            Value::Curve(Curve::Nurbs(curve)) => {
+                let knots = vec![curve.knots().as_slice().to_vec()];
+                Some((vec![curve.degree()], knots, flat(curve.control_points())))
+            }
+            Value::Surface(Surface::Nurbs(surface)) => {
+                let knots = [surface.knots_u(), surface.knots_v()];
+                let knots = knots.map(|knots| knots.as_slice().to_vec()).into();
+                let degrees = vec![surface.degree_u(), surface.degree_v()];
+                Some((degrees, knots, flat(surface.control_points().as_slice())))
+            }
+            _ => None,
+        }
     }
 
     /// A shaded picture in PNG; nothing where there is nothing to draw.

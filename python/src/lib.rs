@@ -43,7 +43,7 @@ mod _virote {
     #[pymodule_export]
     use super::{
         command,
-        geometry::Held,
+        geometry::{Held, spline},
         operations::operations,
         plan::{PlanVariants, study_plan},
         session::{Results, Session},

@@ -16,6 +16,7 @@ use pyo3::{
 };
 use virote::{
     disk::ScriptFiles,
+    limits::work::StopToken,
     session,
     study::{Plan, Variant, VariedParameter},
 };
@@ -88,9 +89,11 @@ pub(crate) fn study_plan(
     let (told, checked) = mpsc::channel();
     let (sender, chunks) = mpsc::sync_channel(AHEAD);
     // It ends when nobody asks any more.
+    let stop = StopToken::default();
+    let stopped = stop.clone();
     let read = move || {
         let mut plan = plan;
-        let outcome: Checked = plan.check(&schema);
+        let outcome: Checked = plan.check(&schema, &mut |_| !stopped.is_stopped());
         let is_right = outcome.is_ok();
         if told.send(outcome).is_ok() && is_right {
             hand_out(&plan, &sender);
@@ -98,11 +101,12 @@ pub(crate) fn study_plan(
     };
     let started = thread::Builder::new().name("virote-plan".to_owned()).spawn(read);
     started.map_err(|err| PyRuntimeError::new_err(format!("no thread: {err}")))?;
-    let (n_variants, sum) = outcome_of(py, checked)?.map_err(wrong)?;
+    let outcome = outcome_of(py, checked).inspect_err(|_| stop.stop())?;
+    let (n_variants, sum) = outcome.map_err(wrong)?;
     Ok(PlanVariants { n_variants, sum, chunks: Mutex::new(chunks) })
 }
 
-/// What the check of a plan came to; a long one is left alone by Ctrl-C.
+/// What the check of a plan came to; nobody waits for a long one after Ctrl-C.
 fn outcome_of(py: Python<'_>, checked: Receiver<Checked>) -> PyResult<Checked> {
     let lost = || PyRuntimeError::new_err("the plan could not be read");
     let checked = Mutex::new(checked);

@@ -202,7 +202,8 @@ def test_units_are_texts_and_points_are_what_looks_like_one() -> None:
         (lambda: virote.line((0, 0), (1, 0))("a"), TypeError, "numbers"),
         (lambda: virote.line((0, 0), (1, 0))([0, 3.0]), ValueError, "at index 1"),
         (lambda: virote.bezier(CORNERS)([0, 1], [0, 0.5, 1]), ValueError, "broadcast"),
-        (lambda: pickle.dumps(virote.line((0, 0), (1, 0))), TypeError, "pickled"),
+        (lambda: pickle.dumps(virote.parametric("t => (t, t^2)", (0, 1))), TypeError, "pickled"),
+        (lambda: pickle.dumps(virote.frame_of((0, 0), (1, 0), (0, 1))), TypeError, "pickled"),
         (lambda: virote.bezier({0: 1}), TypeError, "keys of a record are texts, found int"),
         (lambda: virote.bezier(MASKED), ValueError, "masked"),
         (lambda: virote.mean(MASKED[:, 0]), ValueError, "masked"),
@@ -332,3 +333,103 @@ def test_lists_of_numbers_and_points_are_arrays_also_without_any() -> None:
     line = virote.line((0, 0), (1, 0))
     assert virote.inflections(line).shape == (0,) and virote.linspace(0, 1, 3).shape == (3,)
     assert virote.sample(line, 3).shape == (3, 3)
+
+
+def test_what_is_kept_cannot_be_written_to() -> None:
+    c, s = virote.circle((0, 0), 2), virote.sphere((0, 0), 2)
+    mesh = s.tessellate(tolerance=0.1)
+    table = virote.table({"x": [1, 2], "who": ["a", "b"]})
+    results = virote.Session().run_text("let p = (1, 2)  let many = [[1, 2], (3, 4)]  let r = {at: [(1, 2), (3, 4)]}")
+    arrays = [
+        c.control_points, c.knots, c.weights, s.control_points, s.weights, *s.knots,
+        mesh.points, mesh.triangles, mesh.normals, mesh.uv, mesh.cells[0][1],
+        table["x"], table.to_dict()["x"], virote.frame_of((0, 0), (1, 0), (0, 1)).origin,
+        results["p"], results["many"][0], results["many"][1], results["r"]["at"],
+    ]  # fmt: skip
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 99
+        array.copy()[0] = 99
+    table["who"].append("c")
+    assert table["who"] == ["a", "b"] and len(table) == 2
+    # They go in again, and what is evaluated is not kept.
+    assert virote.polyline(c.control_points).control_points.tolist() == c.control_points.tolist()
+    c(np.array([0.5, 1]))[0] = 99
+    c.derivatives(0.5)[0] = 99
+
+
+def test_splines_of_scipy_are_copies() -> None:
+    pytest.importorskip("scipy")
+    c = virote.bezier([(0, 0), (1, 2), (2, 0)])
+    spline = c.to_scipy()
+    spline.c[0] = 99
+    spline.t[0] = -1
+    assert c(0).tolist() == c.control_points[0].tolist() == [0, 0, 0] and c.knots[0] == 0
+    assert spline.derivative()(0.5).shape == (3,)
+    s = virote.bilinear((0, 0), (0, 1), (1, 0), (1, 1))
+    flat = s.to_scipy()
+    flat.c[0] = 99
+    assert s(0, 0).tolist() == [0, 0, 0]
+
+
+def test_curves_and_surfaces_are_equal_by_their_numbers() -> None:
+    make = lambda x: virote.bezier([(0, 0), (1, x), (2, 0)])
+    assert make(2) == make(2) and make(2) != make(3) and hash(make(2)) == hash(make(2))
+    assert len({make(2), make(2), make(3)}) == 2
+    assert make(0.0) == make(-0.0) and hash(make(0.0)) == hash(make(-0.0)), "zero has no sign"
+    assert virote.sphere((0, 0), 2) == virote.sphere((0, 0), 2) != virote.sphere((0, 0), 3)
+    assert make(2) != 3 and make(2) != virote.sphere((0, 0), 2) and make(2) is not None
+    square = virote.polyline([(0, 0), (1, 0), (1, 1), (0, 0)])
+    assert virote.region(square).outer == virote.region(square).outer
+    # Of functions nobody can tell.
+    f = virote.parametric("t => (t, t^2)", (0, 1))
+    assert f == f and f != virote.parametric("t => (t, t^2)", (0, 1)) and len({f, f}) == 1
+
+
+def test_splines_are_pickled_to_the_last_bit() -> None:
+    third = 1 / 3
+    for spline in (
+        virote.circle((third, 2), 0.1),
+        virote.interpolate([(0, third), (1, 2), (3, 1), (4, 4)]),
+        virote.sphere((third, 0), 0.7),
+        virote.skin([virote.circle((0, 0, z), 1 + z * third) for z in range(3)]),
+        virote.trim(virote.circle((0, 0), 1), virote.Range(0.123, 0.777)),
+        virote.to_nurbs(virote.parametric("t => (t, sin(t))", (0, 1)), 0.001),
+    ):
+        again = pickle.loads(pickle.dumps(spline))
+        assert type(again) is type(spline) and again == spline and hash(again) == hash(spline)
+        for own, other in [(spline.control_points, again.control_points), (spline.weights, again.weights)]:
+            assert own.tobytes() == other.tobytes()
+        domains = spline.domain if isinstance(spline, virote.Surface) else (spline.domain,)
+        place = [low + 0.37 * (high - low) for low, high in domains]
+        assert spline(*place).tobytes() == again(*place).tobytes()
+    with pytest.raises(Exception, match="knot"):
+        from virote import _virote
+
+        _virote.spline([2], [[0, 1]], [0, 0, 0, 1])
+
+
+def test_methods_are_the_operations() -> None:
+    c = virote.circle((0, 0), 2)
+    assert c.length() == virote.length(c) and c.length((0, 0.25)) == virote.length(c, range=(0, 0.25))
+    t = np.linspace(0, 1, 7)
+    assert np.allclose(c.curvature(t), 0.5) and c.curvature(t.reshape(7, 1)).shape == (7, 1)
+    assert c.curvature(0.3) == pytest.approx(virote.curvature(c, 0.3))
+    assert c.tangent(0.3) == pytest.approx(virote.tangent(c, 0.3)) and c.tangent(t).shape == (7, 3)
+    first, second = c.split(0.25)
+    assert np.allclose(first(first.domain[1]), second(second.domain[0]))
+    assert c.reversed() == virote.reversed(c) and c.is_closed()
+    assert c.trim(0.1, 0.4) == virote.trim(c, virote.Range(0.1, 0.4))
+    assert c.elevate(4).degree == 4 and len(c.insert_knot(0.1).knots) == len(c.knots) + 1
+    assert c.parameter_at_length(c.length()) == pytest.approx(1)
+    assert c.closest((4, 0))["point"].tolist() == [2, 0, 0]
+    assert c.bounds()["max"].tolist() == pytest.approx([2, 2, 0])
+    stands_still = virote.bezier([(0, 0), (0, 0), (1, 1), (2, 0)])
+    assert np.isnan(stands_still.curvature(0)) and np.isnan(stands_still.tangent(0)).all()
+    s = virote.sphere((0, 0), 2)
+    assert s.area() == pytest.approx(16 * np.pi) and s.closest((5, 0))["point"] == pytest.approx([2, 0, 0])
+    assert len(s.split(u=0.5)) == 2 and s.swap_uv().degree == s.degree[::-1]
+    patch = virote.bilinear((0, 0), (0, 1), (1, 0), (1, 1))
+    assert patch.trim(u=(0, 0.5)) == virote.trim(patch, u=virote.Range(0, 0.5))
+    assert patch.edge("u0") == virote.edge(patch, "u0") and patch.elevate(u=3).degree == (3, 1)
+    assert patch.insert_knot(v=0.5).control_points.shape == (2, 3, 3)

@@ -34,6 +34,46 @@ def test_problems_and_plans_are_those_of_the_script(tmp_path: Path) -> None:
         optimize.plan_of(script, ["a"], [[1, 2]])
 
 
+def test_truth_values_are_choices_and_what_has_none_is_told(tmp_path: Path) -> None:
+    script = tmp_path / "a.geo"
+    script.write_text(
+        'param a = 30deg in 0deg..90deg\nparam on = true\nparam free = 1mm\nparam lean = 3deg\nparam n: integer = 3\n'
+        'param word = "x"\nlet s = if on then a else 2 * a\n'
+    )
+    for name, told in [
+        ("free", "`in 1mm..2mm`"), ("lean", "`in 1deg..2deg`"), ("n", "`in 1..2`"), ("word", 'in ["a", "b"]'),
+    ]:  # fmt: skip
+        with pytest.raises(ValueError, match=told.replace("[", r"\[")):
+            optimize.salib_problem(script, [name])
+        with pytest.raises(ValueError, match=told.replace("[", r"\[")):
+            optimize.plan_of(script, [name], [[1]])
+    for ask in (lambda: optimize.salib_problem(script, ["on"]), lambda: optimize.plan_of(script, ["on"], [[1]])):
+        with pytest.raises(ValueError, match="'on' is a truth value, and"):
+            ask()
+    assert optimize.salib_problem(script)["names"] == ["a"]
+    pytest.importorskip("optuna")
+    from optuna.distributions import CategoricalDistribution
+    from optuna.trial import FixedTrial
+
+    found = optimize.optuna_distributions(script, ["a", "on"])
+    assert found["on"] == CategoricalDistribution([False, True]) and list(found) == ["a", "on"]
+    assert list(optimize.optuna_distributions(script, "on")) == ["on"]
+    values = optimize.suggest(FixedTrial({"a": 45.0, "on": False}), script, ["a", "on"])
+    assert values == {"a": "45.0deg", "on": False}
+    assert virote.run(script, values)["s"] == pytest.approx(np.pi / 2)
+
+
+def test_openmdao_refuses_truth_values(tmp_path: Path) -> None:
+    om = pytest.importorskip("openmdao.api")
+    script = tmp_path / "a.geo"
+    script.write_text("param on = true\nlet s = if on then 1 else 2\n")
+    problem = om.Problem(reports=False)
+    component = optimize.Component(script=script, inputs=["on"], outputs=["s"])
+    problem.model.add_subsystem("part", component)
+    with pytest.raises(ValueError, match="'on' is a truth value.*by `params`"):
+        problem.setup()
+
+
 def test_sobol_indices_of_the_displacement() -> None:
     pytest.importorskip("SALib")
     from SALib.analyze import sobol as analyze

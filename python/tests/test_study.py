@@ -102,6 +102,22 @@ def test_what_is_asked_wrongly_is_told(script: Path, tmp_path: Path) -> None:
             virote.study(script, plan, want=want)
     with pytest.raises(ValueError, match="'memory' is a whole number"):
         virote.study(script, plan, limits={"memory": -1})
+    for wrong, told in [
+        ({"workers": "a"}, "workers are a whole number of processes, found 'a'"),
+        ({"workers": 2.5}, "workers are a whole number"),
+        ({"workers": True}, "workers are a whole number"),
+        ({"batch_seconds": "1"}, "`batch_seconds` is a number of seconds"),
+        ({"time_limit": True}, "a number of seconds, found True"),
+        ({"want": 3}, "`want` is a name or a list of names, found int"),
+        ({"want": [3]}, "`want` is a name or a list of names, found 3 in it"),
+        ({"data": 3}, "`data` is a name or a list of names"),
+        ({"params": [("n", 1)]}, "`params` are given by name"),
+        ({"limits": "memory"}, "`limits` are given by name"),
+    ]:
+        with pytest.raises(TypeError, match=told):
+            virote.study(script, plan, **wrong)
+    with pytest.raises(TypeError, match="a plan is a file, dictionaries"):
+        virote.study(script, 3)
     with pytest.raises(TypeError, match="method `submit`"):
         virote.study(script, plan, client=3)
     with pytest.raises(ValueError, match="a folder for the parts"):
@@ -279,8 +295,38 @@ def test_pandas_reads_the_parts(script: Path, tmp_path: Path) -> None:
 
 def test_the_bar_tells_rate_and_time(script: Path, capsys: pytest.CaptureFixture[str]) -> None:
     virote.study(script, virote.grid(n=range(20)), workers=1, progress=True)
-    told = capsys.readouterr().err
-    assert "20 of 20 variants" in told and "/s" in told and "left" in told
+    assert "20 of 20 variants" in capsys.readouterr().err
+    from virote._study import _pace
+
+    assert _pace(51, 1000, 4.0) == ", 12.8/s, 78 s left"
+    assert _pace(40_000, 1_000_000, 2.5) == ", 16000/s, 62 s left"
+    assert _pace(4, 400, 40_000.0) == ", 0.000100/s, 46 d left"
+    assert _pace(3, 9, 60.0) == _pace(500, 9, 0.1) == "", "what means nothing yet"
+
+
+def test_a_plan_that_changes_meanwhile_ends_its_study(script: Path, tmp_path: Path) -> None:
+    plan, out = tmp_path / "plan.csv", tmp_path / "out"
+    text = "n\n" + "".join(f"{i}\n" for i in range(20_000))
+    plan.write_text(text)
+
+    class Pool(ThreadPoolExecutor):
+        def submit(self, *args, **named):
+            plan.write_text("n\n1\n")
+            return super().submit(*args, **named)
+
+    with Pool(1) as pool, pytest.raises(virote.StudyError, match="the plan was changed while the study ran"):
+        virote.study(script, plan, out=out, client=pool, progress=False)
+    # What is there may be of either, also where the plan is put back.
+    plan.write_text(text)
+    with pytest.raises(virote.StudyError, match="with another plan"):
+        virote.study(script, plan, out=out, workers=1, progress=False)
+
+
+def test_decimal_commas_are_told_with_what_to_write(script: Path, tmp_path: Path) -> None:
+    plan = tmp_path / "plan.csv"
+    plan.write_text("width [cm];n\n1,2;3\n")
+    with pytest.raises(ValueError, match="`width` holds `1,2`, a number with a decimal comma; write `1.2`"):
+        virote.study(script, plan, workers=1, progress=False)
 
 
 def test_a_variant_without_end_is_a_row(script: Path) -> None:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from . import _virote
+from ._session import _called
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -98,8 +101,24 @@ _MOST_ROWS = 50
 _MOST_BYTES = 1 << 32
 
 
+def _kept(part: Any) -> Any:
+    """What is kept cannot be written to, lest it tell something else than the value that it is of."""
+    if type(part) is tuple:
+        return tuple(map(_kept, part))
+    if isinstance(part, dict):
+        return {name: _kept(member) for name, member in part.items()}
+    if isinstance(part, list):
+        return [_kept(item) for item in part]
+    if hasattr(part, "setflags"):
+        part.setflags(write=False)
+    return part
+
+
 class Value:
-    """A value of the language that stays in the library."""
+    """A value of the language that stays in the library.
+
+    It never changes: its arrays, ``curve.control_points``, are read-only, and ``.copy()`` of one may be written to.
+    """
 
     __slots__ = ("_held", "_parts")
 
@@ -109,7 +128,7 @@ class Value:
 
     def _part(self, name: str) -> Any:
         if self._parts is None:
-            self._parts = self._held.parts()
+            self._parts = _kept(self._held.parts())
         try:
             return self._parts[name]
         except KeyError:
@@ -223,15 +242,55 @@ def _coefficients(spline: Curve | Surface, homogeneous: bool) -> FloatArray:
 
     points, weights = spline.control_points, spline.weights[..., np.newaxis]
     if not homogeneous:
-        return points
+        # Those of SciPy may be written to.
+        return points.copy()
     # Of weight zero they are directions, and kept as they are.
     return np.concatenate([np.where(weights == 0, points, points * weights), weights], axis=-1)
 
 
-class Curve(Value):
+class _Spline(Value):
+    """A curve or a surface. Two splines with the same knots, control points and weights are equal."""
+
+    __slots__ = ()
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Spline):
+            return NotImplemented
+        return self is other or self._held.same(other._held)
+
+    def __hash__(self) -> int:
+        key = self._held.key()
+        # Of functions nobody can tell whether they are the same: each is itself alone.
+        return object.__hash__(self) if key is None else key
+
+    def __reduce__(self) -> Any:
+        """A spline goes to the last bit, without what ``virote.report`` tells of its construction."""
+        parts = self._held.spline()
+        if parts is None:
+            name = type(self).__name__
+            text = f"a virote.{name} of functions cannot be pickled; send the script and its parameters, or what `virote.to_nurbs` makes of it"
+            raise TypeError(text)
+        return _spline, (self._held.kind(), *parts)
+
+    def bounds(self) -> dict[str, Any]:
+        """The smallest box with edges along the axes: ``min``, ``max`` and what else :func:`virote.bounds` tells."""
+        return _called("bounds", (self,), {})  # type: ignore[no-any-return]
+
+    def closest(self, p: PointLike) -> dict[str, Any]:
+        """The place that is nearest to a point, as :func:`virote.closest` tells it."""
+        return _called("closest", (self, p), {})  # type: ignore[no-any-return]
+
+
+def _spline(kind: str, degrees: list[int], knots: list[list[float]], points: list[float]) -> Value:
+    """The spline that was pickled."""
+    return _wrap(kind, _virote.spline(degrees, knots, points))
+
+
+class Curve(_Spline):
     """A curve: a NURBS, or a function with exact derivatives.
 
-    Call it with a parameter or with an array of parameters; ``curve @ t`` is the same.
+    Call it with a parameter or with an array of parameters; ``curve @ t`` is the same. What operations there are for
+    curves, such as :func:`virote.offset`, take it first; the commonest are methods, too.
 
     >>> import virote
     >>> c = virote.bezier([(0, 0), (1, 2), (2, 0)])
@@ -258,6 +317,61 @@ class Curve(Value):
         (flat,), shape = _parameters(t)
         _check_order(order, len(flat), 1)
         return self._held.curve_derivatives(flat, order).reshape((*shape, order + 1, 3))
+
+    def tangent(self, t: ArrayLike) -> FloatArray:
+        """Unit vectors along the curve; NaN where it stands still. At a knot those of the piece behind it."""
+        import numpy as np
+
+        along = self.derivatives(t)[..., 1, :]
+        with np.errstate(invalid="ignore"):
+            return along / np.linalg.norm(along, axis=-1, keepdims=True)  # type: ignore[no-any-return]
+
+    def curvature(self, t: ArrayLike) -> FloatArray:
+        """Curvatures, never negative; NaN where the curve stands still. At a knot those of the piece behind it.
+
+        >>> import virote
+        >>> bool(abs(virote.circle((0, 0), 2).curvature([0.1, 0.3]) - 0.5).max() < 1e-12)
+        True
+        """
+        import numpy as np
+
+        found = self.derivatives(t, 2)
+        along, bend = found[..., 1, :], found[..., 2, :]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            across = np.linalg.norm(np.cross(along, bend), axis=-1)
+            return across / np.linalg.norm(along, axis=-1) ** 3  # type: ignore[no-any-return]
+
+    def length(self, range: tuple[Quantity, Quantity] | None = None) -> float:
+        """Its length, or that over a range of parameters, in the document's unit."""
+        return _called("length", (self,), {"range": range})  # type: ignore[no-any-return]
+
+    def parameter_at_length(self, s: Quantity) -> float:
+        """The parameter at an arc length from the start."""
+        return _called("parameter_at_length", (self, s), {})  # type: ignore[no-any-return]
+
+    def is_closed(self) -> bool:
+        """Whether it ends where it begins."""
+        return _called("is_closed", (self,), {})  # type: ignore[no-any-return]
+
+    def reversed(self) -> Curve:
+        """The same curve from its end to its start."""
+        return _called("reversed", (self,), {})  # type: ignore[no-any-return]
+
+    def split(self, t: float) -> list[Curve]:
+        """The parts before and behind a parameter."""
+        return _called("split", (self, t), {})  # type: ignore[no-any-return]
+
+    def trim(self, start: float, end: float) -> Curve:
+        """The part between two parameters."""
+        return _called("trim", (self, Range(start, end)), {})  # type: ignore[no-any-return]
+
+    def elevate(self, degree: int) -> Curve:
+        """The same curve of a higher degree."""
+        return _called("elevate", (self, degree), {})  # type: ignore[no-any-return]
+
+    def insert_knot(self, t: float, times: int = 1) -> Curve:
+        """The same curve with a knot more."""
+        return _called("insert_knot", (self, t), {"times": times})  # type: ignore[no-any-return]
 
     @property
     def domain(self) -> tuple[float, float]:
@@ -303,10 +417,10 @@ class Curve(Value):
         from scipy.interpolate import BSpline
 
         _check_weights(self, homogeneous)
-        return BSpline(self.knots, _coefficients(self, homogeneous), self.degree)
+        return BSpline(self.knots.copy(), _coefficients(self, homogeneous), self.degree)
 
 
-class Surface(Value):
+class Surface(_Spline):
     """A surface: a NURBS, or a function with exact derivatives.
 
     Call it with two parameters or with two arrays of one shape; what broadcasts, does.
@@ -360,6 +474,37 @@ class Surface(Value):
             raise TypeError("the mesher gave no mesh")
         return mesh
 
+    def area(self) -> float:
+        """Its area, in the square of the document's unit."""
+        return _called("area", (self,), {})  # type: ignore[no-any-return]
+
+    def edge(self, side: str) -> Curve:
+        """The curve along an edge: ``"u0"``, ``"u1"``, ``"v0"`` or ``"v1"``."""
+        return _called("edge", (self, side), {})  # type: ignore[no-any-return]
+
+    def split(self, u: float | None = None, v: float | None = None) -> list[Surface]:
+        """The parts before and behind a parameter."""
+        return _called("split", (self,), {"u": u, "v": v})  # type: ignore[no-any-return]
+
+    def trim(
+        self, u: tuple[float, float] | None = None, v: tuple[float, float] | None = None
+    ) -> Surface:
+        """The part between two parameters along u, along v, or both."""
+        ranges = {name: None if ends is None else Range(*ends) for name, ends in {"u": u, "v": v}.items()}
+        return _called("trim", (self,), ranges)  # type: ignore[no-any-return]
+
+    def elevate(self, u: int | None = None, v: int | None = None) -> Surface:
+        """The same surface of a higher degree."""
+        return _called("elevate", (self,), {"u": u, "v": v})  # type: ignore[no-any-return]
+
+    def insert_knot(self, u: float | None = None, v: float | None = None, times: int = 1) -> Surface:
+        """The same surface with a knot more."""
+        return _called("insert_knot", (self,), {"u": u, "v": v, "times": times})  # type: ignore[no-any-return]
+
+    def swap_uv(self) -> Surface:
+        """The same surface with u and v exchanged, which turns its normals."""
+        return _called("swap_uv", (self,), {})  # type: ignore[no-any-return]
+
     @property
     def domain(self) -> tuple[tuple[float, float], tuple[float, float]]:
         """Where u begins and ends, and v."""
@@ -401,7 +546,8 @@ class Surface(Value):
         from scipy.interpolate import NdBSpline
 
         _check_weights(self, homogeneous)
-        return NdBSpline(self.knots, _coefficients(self, homogeneous), self.degree)
+        u, v = self.knots
+        return NdBSpline((u.copy(), v.copy()), _coefficients(self, homogeneous), self.degree)
 
 
 class Region(Value):
@@ -504,7 +650,7 @@ class Table(Value):
     def __getitem__(self, name: str) -> Any:
         """A column: an array of numbers, or a list of texts."""
         try:
-            return self._part("columns")[name]
+            return self.to_dict()[name]
         except KeyError:
             raise KeyError(f"the table has no column {name!r}; it has {self.columns}") from None
 
@@ -537,7 +683,9 @@ class Table(Value):
 
     def to_dict(self) -> dict[str, Any]:
         """Columns by name."""
-        return dict(self._part("columns"))
+        # Lists of texts are copies, as they could be written to.
+        columns: dict[str, Any] = self._part("columns")
+        return {name: list(one) if isinstance(one, list) else one for name, one in columns.items()}
 
     def to_pandas(self) -> Any:
         """The table as a ``pandas.DataFrame``; units are in ``frame.attrs["units"]``."""

@@ -25,6 +25,10 @@ class StudyError(Exception):
     """A study that cannot be carried out, or not to its end."""
 
 
+class PlanChanged(StudyError):
+    """The plan is not what it was when it was checked."""
+
+
 class Lost(Exception):
     """A worker was lost with what it was doing."""
 
@@ -106,6 +110,8 @@ class Pool:
     link: str | None = None
 
     def __init__(self, workers: int | None) -> None:
+        if workers is not None and (isinstance(workers, bool) or not hasattr(workers, "__index__")):
+            raise TypeError(f"workers are a whole number of processes, found {workers!r}")
         if workers is not None and workers < 1:
             raise ValueError(f"a study has one worker or more, found {workers}")
         self.size = workers or os.cpu_count() or 1

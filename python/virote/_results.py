@@ -25,7 +25,8 @@ class Results(_Values):
     """The values of a script by name, its checks, its prints, its files.
 
     ``results["tip"]`` is a value: numbers are floats in the document's unit and in radians, points and
-    lists of numbers and points are arrays, curves, surfaces, meshes and tables have classes of their own.
+    lists of numbers and points are arrays, curves, surfaces, meshes and tables have classes of their own. Arrays are
+    read-only, as what became of a script never changes; ``.copy()`` of one may be written to.
     """
 
     def __init__(self, inner: _virote.Results, script: str, params: dict[str, str]) -> None:
@@ -43,7 +44,9 @@ class Results(_Values):
                 near = self._inner.nearest(name)
                 hint = f"; did you mean {near!r}?" if near else ""
                 raise KeyError(f"the script defines no {name!r}{hint}")
-            self._values[name] = self._inner.value(name)
+            from ._geometry import _kept
+
+            self._values[name] = _kept(self._inner.value(name))
         return self._values[name]
 
     def __iter__(self) -> Iterator[str]:

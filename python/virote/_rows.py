@@ -92,6 +92,11 @@ class PartRows(Rows):
         scratch.write_text(json.dumps({**self._wanted, "files": self._files}, indent=1) + "\n")
         os.replace(scratch, path)
 
+    def spoil(self) -> None:
+        """Notes that the plan was changed while its rows were made: no study goes on from them."""
+        self._wanted["plan"] = "changed while its rows were made"
+        self._save()
+
     def note(self, name: str, content: bytes | None) -> None:
         """Notes a data file; refuses one that is not what it was for the rows that are there."""
         digest = hashlib.sha256(content).hexdigest() if content is not None else "none"

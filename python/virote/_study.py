@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any, TextIO, Union
 
 from . import _virote
-from ._pools import Lost, Pool, StudyError, Task, Variant, pool_of
+from ._pools import Lost, PlanChanged, Pool, StudyError, Task, Variant, pool_of
 from ._rows import PartRows, Rows, StudyResults
 from ._findings import GeoError
 from ._session import ParameterValue, ceilings, default_session, setting
@@ -94,23 +94,28 @@ def study(
     :param client: a Dask ``Client``, or any executor with ``submit``, in the place of the pool.
     :param time_limit: seconds after which a variant is stopped, more than 0.
     :param limits: ceilings of a variant by name, such as ``{"memory": 1 << 30}``.
-    :param data: files beside the script that workers need; those that are read are found out as well.
+    :param data: files beside the script that workers need, or the one; those that are read are found out as well.
     :param batch_seconds: how long a batch is to take; what a task costs a scheduler is small against it.
     :param progress: whether a bar is drawn; by default where standard error is a terminal.
     """
+    if isinstance(batch_seconds, str) or not hasattr(batch_seconds, "__float__"):
+        raise TypeError(f"`batch_seconds` is a number of seconds, found {batch_seconds!r}")
     if not batch_seconds > 0:
         raise ValueError(f"a batch takes some time, found {batch_seconds} s")
     seconds = _seconds(time_limit)
-    wanted = [want] if isinstance(want, str) else list(want)
+    wanted, data = _texts_of("want", want), _texts_of("data", data)
+    for what, given in [("params", params), ("limits", limits)]:
+        if given is not None and not isinstance(given, Mapping):
+            raise TypeError(f"`{what}` are given by name, as {{'name': value}}; found {type(given).__name__}")
     path = Path(script)
     text = path.read_bytes()
     _virote.check_wants(path.name, text, os.fspath(path.parent), wanted)
     settings = [(name, setting(name, value)) for name, value in (params or {}).items()]
-    files = {name: (path.parent / name).read_bytes() for name in data}
+    files: dict[str, bytes | None] = {name: (path.parent / name).read_bytes() for name in data}
     task = Task(
         path.name,
         text,
-        dict(files),
+        files,
         settings,
         wanted,
         seconds,
@@ -124,14 +129,31 @@ def study(
         stack.callback(bar.close)
         run = _Run(task, path.parent, variants, pool, done, bar, batch_seconds)
         stack.callback(lambda: pool.close(run.under_way))
-        run.finish()
+        try:
+            run.finish()
+        except PlanChanged:
+            if isinstance(done, PartRows):
+                done.spoil()
+            raise
     return StudyResults(done, done.folder if isinstance(done, PartRows) else None)
+
+
+def _texts_of(what: str, given: Any) -> list[str]:
+    """Names that are given as one text or as several."""
+    names = [given] if isinstance(given, str) else given
+    if not isinstance(names, Iterable):
+        raise TypeError(f"`{what}` is a name or a list of names, found {type(given).__name__}")
+    names = list(names)
+    for name in names:
+        if not isinstance(name, str):
+            raise TypeError(f"`{what}` is a name or a list of names, found {name!r} in it")
+    return names
 
 
 def _seconds(time_limit: float | None) -> float | None:
     if time_limit is None:
         return None
-    if not hasattr(time_limit, "__float__"):
+    if isinstance(time_limit, bool) or not hasattr(time_limit, "__float__"):
         raise TypeError(f"a time limit is a number of seconds, found {time_limit!r}")
     if not 0 < time_limit < 2**63:
         raise ValueError(f"a time limit is some seconds, found {time_limit}; without one it is left out")
@@ -178,6 +200,8 @@ def _lines(plan: Any, texts: frozenset[str]) -> Iterator[list[str | None]]:
             yield [_cell(name, value, texts) for name, value in zip(columns, cells)]
         return
     names: list[str] = []
+    if not isinstance(plan, Iterable):
+        raise TypeError(f"a plan is a file, dictionaries, columns by name or a DataFrame, found {type(plan).__name__}")
     for i, row in enumerate(plan):
         if not isinstance(row, Mapping):
             raise TypeError(f"a row of a plan is a dictionary, found {type(row).__name__}")
@@ -231,6 +255,22 @@ def _csv_line(cells: Iterable[str | None]) -> str:
     return ",".join(quoted) + "\n"
 
 
+#: Rows, and seconds, that a rate is told from: those of the first moments say little of the others.
+TELLING_ROWS, TELLING_SECONDS = 4, 2.0
+
+
+def _pace(n_new: int, n_left: int, seconds: float) -> str:
+    """How many rows come in a second, by three digits that count, and the time that is left."""
+    if n_new < TELLING_ROWS or seconds < TELLING_SECONDS:
+        return ""
+    rate = n_new / seconds
+    told = f"{rate:.0f}" if rate >= 100 else f"{rate:#.3g}"
+    left = n_left / rate
+    units = [(86400, "d"), (3600, "h"), (60, "min"), (1, "s")]
+    size, unit = next((one for one in units if 2 * one[0] <= left), (1, "s"))
+    return f", {told}/s, {left / size:.0f} {unit} left"
+
+
 class _Bar:
     """A line with how far a study is, at most ten times a second."""
 
@@ -238,7 +278,7 @@ class _Bar:
         self._stream: TextIO = sys.stderr
         self._is_shown = self._stream.isatty() if is_shown is None else is_shown
         self._all, self._done, self._begun = n_all, 0, time.monotonic()
-        self._kept, self._last = 0, 0.0
+        self._kept, self._last, self._width = 0, 0.0, 0
         if self._is_shown and link:
             self._stream.write(f"dashboard: {link}\n")
 
@@ -251,13 +291,14 @@ class _Bar:
         if not self._is_shown or now - self._last < 0.1 and self._done < self._all:
             return
         self._last = now
-        rate = (self._done - self._kept) / max(now - self._begun, 1e-9)
-        left = (self._all - self._done) / rate if rate else 0.0
         filled = 30 * self._done // max(self._all, 1)
         bar = "█" * filled + "░" * (30 - filled)
-        text = f"\r{bar} {self._done} of {self._all} variants, {rate:.0f}/s, {left:.0f} s left "
-        self._stream.write(text)
+        pace = _pace(self._done - self._kept, self._all - self._done, now - self._begun)
+        text = f"{bar} {self._done} of {self._all} variants{pace}"
+        # What was longer before is written over.
+        self._stream.write("\r" + text.ljust(self._width))
         self._stream.flush()
+        self._width = len(text)
 
     def close(self) -> None:
         if self._is_shown and self._last:
@@ -276,12 +317,20 @@ class _Left:
     def _read(plan: _virote.PlanVariants, done: list[range]) -> Iterator[Variant]:
         ranges = iter(done)
         skipped = next(ranges, range(0))
-        while chunk := plan.next():
+        while chunk := _Left._chunk(plan):
             for variant in chunk:
                 while skipped and skipped.stop <= variant[0]:
                     skipped = next(ranges, range(0))
                 if variant[0] not in skipped:
                     yield variant
+
+    @staticmethod
+    def _chunk(plan: _virote.PlanVariants) -> list[Variant]:
+        try:
+            return plan.next()
+        except ValueError as err:
+            # It was right when it was checked.
+            raise PlanChanged(str(err)) from None
 
     def __len__(self) -> int:
         return self._count
@@ -290,7 +339,7 @@ class _Left:
         if self._next is None:
             self._next = next(self._variants, None)
         if self._next is None:
-            raise StudyError("the plan has become shorter since it was read first")
+            raise PlanChanged("the plan was changed while the study ran")
         return self._next[0]
 
     def take(self) -> Variant:

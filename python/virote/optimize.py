@@ -21,21 +21,32 @@ Script = Union[str, "os.PathLike[str]"]
 
 
 def _parameters(script: Script, names: Iterable[str] | None) -> list[dict[str, Any]]:
-    """The parameters that are asked for, or all that have a range or choices."""
+    """The parameters that are asked for, or all that have a range or choices, as truth values do."""
     parameters = {one["name"]: one for one in Session().parameters(script)}
+    for one in parameters.values():
+        if one["kind"] == "bool" and not one["choices"]:
+            one["choices"] = [False, True]
     if names is None:
         chosen = [one for one in parameters.values() if one["range"] or one["choices"]]
         if not chosen:
             raise ValueError(f"no parameter of {Path(script).name} has a range or choices")
         return chosen
     found = []
-    for name in names:
+    for name in [names] if isinstance(names, str) else names:
         if name not in parameters:
             raise KeyError(f"the script has no parameter {name!r}; it has {list(parameters)}")
         if not parameters[name]["range"] and not parameters[name]["choices"]:
-            raise ValueError(f"the parameter {name!r} has no range: write `in 1mm..2mm` in the script")
+            raise ValueError(_without_range(parameters[name]))
         found.append(parameters[name])
     return found
+
+
+def _without_range(parameter: Mapping[str, Any]) -> str:
+    """What to write for a parameter that may be anything."""
+    name, kind, unit = parameter["name"], parameter["kind"], parameter["unit"] or ""
+    if kind == "string":
+        return f'the parameter {name!r} may be any text: write its choices in the script, `in ["a", "b"]`'
+    return f"the parameter {name!r} has no range: write one in the script, `in 1{unit}..2{unit}`"
 
 
 def _with_range(script: Script, names: Iterable[str] | None, why: str) -> list[dict[str, Any]]:
@@ -44,7 +55,8 @@ def _with_range(script: Script, names: Iterable[str] | None, why: str) -> list[d
     if names is not None:
         for one in chosen:
             if not one["range"]:
-                raise ValueError(f"the parameter {one['name']!r} has choices, and {why}")
+                what = "is a truth value" if one["kind"] == "bool" else "has choices"
+                raise ValueError(f"the parameter {one['name']!r} {what}, and {why}")
     chosen = [one for one in chosen if one["range"]]
     if not chosen:
         raise ValueError(f"no parameter of {Path(script).name} has a range, and {why}")
@@ -127,7 +139,7 @@ def _snapped(parameter: Mapping[str, Any], value: float) -> float:
 def salib_problem(script: Script, names: Iterable[str] | None = None) -> dict[str, Any]:
     """The ``problem`` of SALib: names and bounds of the parameters that have a range.
 
-    :raises ValueError: for a name whose parameter has choices, of which SALib knows nothing.
+    :raises ValueError: for a name whose parameter has choices or is a truth value, of which SALib knows nothing.
     """
     chosen = _with_range(
         script, names, "SALib samples numbers of ranges: make a study for each choice, or leave it out"
@@ -146,7 +158,8 @@ def plan_of(
 
     Numbers are in the unit of the parameter's range; one with a step, or a whole one, goes to the nearest.
 
-    :raises ValueError: for a name whose parameter has choices, and for rows of another length than ``names``.
+    :raises ValueError: for a name whose parameter has choices or is a truth value, and for rows of another length
+        than ``names``.
     """
     parameters = _with_range(script, names, "samples are numbers of ranges: leave it out")
     plan = []
@@ -161,7 +174,10 @@ def plan_of(
 
 
 def optuna_distributions(script: Script, names: Iterable[str] | None = None) -> dict[str, Any]:
-    """Distributions of Optuna by name; choices that have a unit are texts with it, ``"10deg"``."""
+    """Distributions of Optuna by name; choices that have a unit are texts with it, ``"10deg"``.
+
+    A parameter that is a truth value has the choices ``False`` and ``True``.
+    """
     from optuna.distributions import CategoricalDistribution, FloatDistribution, IntDistribution
 
     found: dict[str, Any] = {}

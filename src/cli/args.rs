@@ -39,7 +39,7 @@ Examples:
   virote explain E0602                         what a message means
   echo 'print 1 + 1' | virote run -            a script from standard input
 
-Exit codes: 0 all well; 1 a check or test failed; 2 an error in the script; 3 usage, files.";
+Exit codes: 0 all well; 1 a check or test failed; 2 an error in the script; 3 usage, files; 130 Ctrl-C.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum CliCommand {

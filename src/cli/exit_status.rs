@@ -16,6 +16,8 @@ pub(super) enum ExitStatus {
     Wrong = 2,
     /// The command was used wrongly, something could not be read or written, or virote failed.
     Usage = 3,
+    /// Ctrl-C ended what was under way; by the custom of shells 128 and the number of the signal.
+    Interrupted = 130,
 }
 
 impl ExitStatus {

@@ -2,13 +2,11 @@
 
 use std::sync::{LazyLock, OnceLock};
 
+use super::exit_status::ExitStatus;
 use crate::limits::work::StopToken;
 
 /// Set by Ctrl-C.
 pub(super) static INTERRUPTED: LazyLock<StopToken> = LazyLock::new(StopToken::default);
-
-/// The exit code of a program that Ctrl-C ends, by the custom of shells.
-const BY_INTERRUPT: i32 = 130;
 
 /// Lets Ctrl-C set the switch instead of ending the program.
 pub(super) fn listen() {
@@ -19,7 +17,7 @@ pub(super) fn listen() {
 pub(super) fn listen_once() {
     handle(|| {
         if INTERRUPTED.is_stopped() {
-            std::process::exit(BY_INTERRUPT);
+            std::process::exit(ExitStatus::Interrupted as i32);
         }
         INTERRUPTED.stop();
     });

@@ -3,13 +3,16 @@
 //! Silent where standard error is no terminal, under `--quiet`, and for programs.
 
 use std::{
+    fmt::{self, Write},
     io::{self, IsTerminal},
     sync::mpsc::{self, RecvTimeoutError, Sender},
     thread,
     time::Duration,
 };
 
-use indicatif::{HumanBytes, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{
+    HumanBytes, HumanDuration, ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle,
+};
 
 /// Work below this is over before anybody wonders.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -71,6 +74,25 @@ impl Drop for Progress {
     }
 }
 
+/// How often a bar is drawn.
+const DRAWINGS_A_SECOND: u8 = 10;
+/// Rows, and the time, that a rate is told from: those of the first moments say little of the others.
+const TELLING_ROWS: u64 = 4;
+const TELLING_TIME: Duration = Duration::from_secs(2);
+
+/// Writes how many rows come in a second and the time that is left, once `n_new` rows tell that.
+fn write_pace(out: &mut dyn Write, n_new: u64, n_left: u64, elapsed: Duration) -> fmt::Result {
+    if n_new < TELLING_ROWS || elapsed < TELLING_TIME {
+        return Ok(());
+    }
+    let rate = n_new as f64 / elapsed.as_secs_f64();
+    // Three digits that count.
+    let n_decimals = (2.0 - libm::floor(libm::log10(rate))).clamp(0.0, 9.0) as usize;
+    let left =
+        HumanDuration(Duration::from_secs_f64((n_left as f64 / rate).min(f64::from(u32::MAX))));
+    write!(out, ", {rate:.n_decimals$}/s, {left:#} left")
+}
+
 /// How far a study is: a bar with the rate and the time that is left, where standard error is a terminal.
 #[derive(Debug)]
 pub(super) struct StudyProgress(ProgressBar);
@@ -79,15 +101,20 @@ impl StudyProgress {
     /// Begins with `n_done` of `n_all` rows.
     pub(super) fn begin(n_all: u64, n_done: u64, is_told: bool) -> Self {
         let target = match is_told && io::stderr().is_terminal() {
-            true => ProgressDrawTarget::stderr(),
+            true => ProgressDrawTarget::stderr_with_hz(DRAWINGS_A_SECOND),
             false => ProgressDrawTarget::hidden(),
         };
         let bar = ProgressBar::with_draw_target(Some(n_all), target).with_position(n_done);
-        let template = "{wide_bar} {human_pos} of {human_len} variants, {per_sec}, {eta} left";
+        let template = "{wide_bar} {human_pos} of {human_len} variants{pace}";
         if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
+            let pace = move |state: &ProgressState, out: &mut dyn Write| {
+                let n_new = state.pos().saturating_sub(n_done);
+                let n_left = n_all.saturating_sub(state.pos());
+                // What cannot be drawn is not missed.
+                let _ = write_pace(out, n_new, n_left, state.elapsed());
+            };
+            bar.set_style(style.with_key("pace", pace));
         }
-        bar.reset_eta();
         Self(bar)
     }
 
@@ -100,5 +127,25 @@ impl StudyProgress {
 impl Drop for StudyProgress {
     fn drop(&mut self) {
         self.0.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pace_has_three_digits_and_waits_until_it_means_something() {
+        let pace = |n_new: u64, n_left: u64, milliseconds: u64| {
+            let mut text = String::new();
+            write_pace(&mut text, n_new, n_left, Duration::from_millis(milliseconds))
+                .expect("text");
+            text
+        };
+        assert_eq!(pace(3, 10_000, 60_000), "");
+        assert_eq!(pace(500, 10_000, 40), "");
+        assert_eq!(pace(51, 1_000, 4_000), ", 12.8/s, 78s left");
+        assert_eq!(pace(40_000, 1_000_000, 2_500), ", 16000/s, 62s left");
+        assert_eq!(pace(4, 40, 400_000), ", 0.0100/s, 67m left");
     }
 }

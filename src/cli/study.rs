@@ -17,7 +17,7 @@ use super::{
     interrupt::{self, INTERRUPTED},
     looks::{self, PictureArgs},
     process,
-    progress::StudyProgress,
+    progress::{Progress, StudyProgress},
     reporter::Reporter,
     run_args::RunArgs,
     settings,
@@ -29,7 +29,7 @@ use crate::{
     limits::work::StopToken,
     session::Session,
     study::{
-        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, Row, RowMaker,
+        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, Row, RowMaker, STOPPED,
         StudyPictures, VariedParameter, checksum, contact_sheets, in_order, write_results,
     },
 };
@@ -72,6 +72,9 @@ pub(super) struct StudyOptions {
 /// What the file of a study that is not done is called behind the name of its results.
 const UNFINISHED: &str = "unfinished";
 
+/// Rows of a plan from one sign of life to the next.
+const ROWS_A_SIGN: u64 = 10_000;
+
 /// `virote study SCRIPT PLAN -o RESULTS`
 pub(super) fn run(asked: &StudyOptions) -> ExitStatus {
     let voice = Reporter::new(&asked.common.talk, asked.common.ceilings().diagnostics);
@@ -79,7 +82,7 @@ pub(super) fn run(asked: &StudyOptions) -> ExitStatus {
         Ok(ending) | Err(StudyFailure::Told(ending)) => ending,
         Err(StudyFailure::Misuse(message)) => {
             message.lines().for_each(|line| voice.trouble(line));
-            ExitStatus::Usage
+            if INTERRUPTED.is_stopped() { ExitStatus::Interrupted } else { ExitStatus::Usage }
         }
     }
 }
@@ -114,13 +117,22 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         Some(path) => Plan::file(path)?,
         None => Plan::grid(&asked.vary)?,
     };
-    let (n_variants, plan_sum) = plan.check(&schema)?;
+    interrupt::listen_once();
+    let progress = Progress::begin("reading the plan", voice.is_lively());
+    let (n_variants, plan_sum) = plan.check(&schema, &mut |n_rows| {
+        if n_rows % ROWS_A_SIGN == 0 {
+            progress.say(&format!("reading the plan: {n_rows} rows"));
+        }
+        !INTERRUPTED.is_stopped()
+    })?;
     let maker = RowMaker::new(schema, asked.want.clone());
     check_wants(&asked.want, &session, (&script, &disk), voice)?;
 
     // Go on where an earlier run ended.
     let header = header(asked, &script, &settings, &plan_sum);
+    progress.say("reading the rows that are there");
     let mut journal = Journal::open(&unfinished(&asked.out), &header, asked.fresh)?;
+    drop(progress);
     if 0 < journal.n_rows {
         voice.remark(&format!("{} of {n_variants} rows are there already", journal.n_rows));
     }
@@ -129,7 +141,6 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         fs::create_dir_all(folder)
             .map_err(|err| format!("cannot make `{}`: {}", folder.display(), io_reason(&err)))?;
     }
-    interrupt::listen_once();
     let new_session = |stop: StopToken| process::session(asked.common.ceilings()).stopped_by(stop);
     let evaluation = Evaluation {
         name: &script.name,
@@ -150,25 +161,41 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
     let evaluated = evaluate(&evaluation, (&plan, n_variants), &files, &mut journal, voice);
     let ended = match evaluated {
         Err(message) => Some(message),
-        Ok(()) => (journal.n_rows < n_variants).then(|| "the study was stopped".to_owned()),
+        Ok(()) => (journal.n_rows < n_variants).then(|| STOPPED.to_owned()),
     };
     if let Some(message) = ended {
-        return Err(StudyFailure::Misuse(cut_short(&asked.out, journal, n_variants, message)));
+        let is_lasting = !plan.was_changed();
+        if !is_lasting {
+            journal.spoil()?;
+        }
+        let told = cut_short(&asked.out, journal, (n_variants, is_lasting), &message);
+        return Err(StudyFailure::Misuse(told));
     }
     finish(asked, format, journal, (&script, n_variants), voice)
 }
 
-/// What to tell of a study that did not come to its end; of its rows if there are any, else nothing is kept.
-fn cut_short(out: &Path, journal: Journal, n_variants: u64, message: String) -> String {
+/// What to tell of a study that did not come to its end; of its rows if there are any, else nothing is kept. Those of
+/// a plan that was changed do not last.
+fn cut_short(
+    out: &Path,
+    journal: Journal,
+    (n_variants, is_lasting): (u64, bool),
+    message: &str,
+) -> String {
     let (n_rows, name) = (journal.n_rows, unfinished(out));
-    if n_rows == 0 {
-        journal.remove();
-        return message;
+    let name = name.display();
+    match (n_rows, is_lasting) {
+        (0, _) => {
+            journal.remove();
+            message.to_owned()
+        }
+        (_, true) => format!(
+            "{message}\n{n_rows} of {n_variants} rows are kept in `{name}`; the same command goes on behind them"
+        ),
+        (_, false) => format!(
+            "{message}\n{n_rows} rows of before or after that are left in `{name}`; `--fresh` begins anew"
+        ),
     }
-    format!(
-        "{message}\n{n_rows} of {n_variants} rows are kept in `{}`; the same command goes on behind them",
-        name.display()
-    )
 }
 
 /// The parameters of the script; what is wrong with it whatever they are has been told.
@@ -293,31 +320,27 @@ fn finish(
     (script, n_variants): (&Script, u64),
     voice: &Reporter,
 ) -> Result<ExitStatus, StudyFailure> {
+    let progress = Progress::begin("writing the results", voice.is_lively());
     let mut columns = ResultColumns::default();
     let mut tally = Tally::default();
+    let until_stopped = |row| if INTERRUPTED.is_stopped() { Err(STOPPED.to_owned()) } else { row };
     for row in journal.rows()? {
-        let row = row?;
+        let row = until_stopped(row).map_err(|message| unwritten(asked, &message))?;
         columns.add(&row);
         tally.add(&row);
     }
-    let rows = Cell::new(Some(journal.rows()?));
+    let rows = Cell::new(Some(journal.rows()?.map(until_stopped)));
     let write = |out: &mut dyn Write| {
         let Some(rows) = rows.take() else { return Ok(()) };
         write_results(format, &columns, rows, out)
     };
-    replace(&asked.out, None, write).map_err(|err| {
-        let name = asked.out.display();
-        format!(
-            "cannot write `{name}`: {}\nall rows are kept in `{}`; the same command writes them",
-            io_reason(&err),
-            unfinished(&asked.out).display()
-        )
-    })?;
+    replace(&asked.out, None, write).map_err(|err| unwritten(asked, &io_reason(&err)))?;
     let sheets = match &asked.render {
         Some(folder) => contact_sheets(folder, journal.rows()?)?,
         None => Vec::new(),
     };
     journal.remove();
+    drop(progress);
     let is_other = |path: &PathBuf| fs::read(path).is_ok_and(|bytes| bytes != script.bytes);
     if script.path.as_ref().is_some_and(is_other) {
         voice.remark(&format!(
@@ -331,6 +354,15 @@ fn finish(
         voice.remark(&format!("drew {}", folder.join(sheet).display()));
     }
     Ok(ExitStatus::Well)
+}
+
+/// What to tell of results that were not written.
+fn unwritten(asked: &StudyOptions, why: &str) -> String {
+    format!(
+        "cannot write `{}`: {why}\nall rows are kept in `{}`; the same command writes them",
+        asked.out.display(),
+        unfinished(&asked.out).display()
+    )
 }
 
 /// How rows came out.

@@ -28,6 +28,8 @@ pub struct Journal {
 
 /// A line that tells of a file, by its member.
 const FILE: &str = "file";
+/// One that tells that the rows before it may be of another plan.
+const SPOILED: &str = "spoiled";
 
 impl Journal {
     /// The journal at `path` of the study that `header` tells of: a new one, or that of a run that was
@@ -77,6 +79,7 @@ impl Journal {
                     (Some(Json::String(path)), Some(Json::String(sum))) => {
                         self.files.insert(path.clone(), sum.clone());
                     }
+                    _ if line.contains_key(SPOILED) => return Err(spoiled(&name)),
                     _ => return Err(no_journal(&name)),
                 },
                 (_, Json::Array(_)) => self.n_rows += 1,
@@ -107,6 +110,14 @@ impl Journal {
     /// That it cannot be written.
     pub fn note(&mut self, path: &str, sum: &str) -> Result<(), String> {
         self.line(&json!({ FILE: path, "sum": sum }))
+    }
+
+    /// Notes that the plan was changed while its rows were made: no study goes on from them.
+    ///
+    /// # Errors
+    /// That it cannot be written.
+    pub fn spoil(&mut self) -> Result<(), String> {
+        self.line(&json!({ SPOILED: true }))
     }
 
     fn line(&mut self, line: &Json) -> Result<(), String> {
@@ -162,6 +173,12 @@ fn lines(
             Err(err) => Some(Err(cannot(&err))),
         }
     }))
+}
+
+fn spoiled(name: &str) -> String {
+    format!(
+        "the plan was changed while the rows of `{name}` were made, which may be of either; `--fresh` gives them up, and another name for the results keeps them"
+    )
 }
 
 fn no_journal(name: &str) -> String {

@@ -21,6 +21,7 @@ use crate::{export::io_reason, value::shortest};
 pub(super) struct PlanFile {
     path: PathBuf,
     layout: PlanLayout,
+    titles: Vec<String>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -43,11 +44,11 @@ pub(super) struct PlanRow {
 const PARQUET: &[u8] = b"PAR1";
 
 impl PlanFile {
-    /// The file, and the titles of its columns.
+    /// The file, with the titles of its columns.
     ///
     /// # Errors
     /// A sentence that names the file.
-    pub(super) fn open(path: &Path) -> Result<(Self, Vec<String>), String> {
+    pub(super) fn open(path: &Path) -> Result<Self, String> {
         let name = path.display();
         let cannot = |why: String| format!("cannot read `{name}`: {why}");
         let data = path.metadata().map_err(|err| cannot(io_reason(&err)))?;
@@ -63,7 +64,7 @@ impl PlanFile {
             let reader = parquet_reader(path)?;
             let fields = reader.metadata().file_metadata().schema().get_fields();
             let titles = fields.iter().map(|field| field.name().to_owned()).collect();
-            return Ok((Self { path: path.to_owned(), layout: PlanLayout::Parquet }, titles));
+            return Ok(Self { path: path.to_owned(), layout: PlanLayout::Parquet, titles });
         }
         let header_end = begin.iter().position(|byte| b"\r\n".contains(byte));
         let header = &begin[..header_end.unwrap_or(begin.len())];
@@ -71,12 +72,18 @@ impl PlanFile {
             return Err(format!("the plan `{name}` is empty: its first line names the parameters"));
         }
         let separator = *b",;\t".iter().find(|byte| header.contains(byte)).unwrap_or(&b',');
-        let file = Self { path: path.to_owned(), layout: PlanLayout::Csv(separator) };
+        let layout = PlanLayout::Csv(separator);
+        let mut file = Self { path: path.to_owned(), layout, titles: Vec::new() };
         start.rewind().map_err(|err| cannot(io_reason(&err)))?;
         let mut reader = csv_reader(start, separator);
         let header = reader.headers().map_err(|err| file.csv_fault(&err))?;
-        let titles = header.iter().map(str::to_owned).collect();
-        Ok((file, titles))
+        file.titles = header.iter().map(str::to_owned).collect();
+        Ok(file)
+    }
+
+    /// The titles of its columns.
+    pub(super) fn titles(&self) -> &[String] {
+        &self.titles
     }
 
     /// The rows in their order.
@@ -102,7 +109,12 @@ impl PlanFile {
         file: File,
         separator: u8,
     ) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
-        let reader = csv_reader(BufReader::new(file), separator);
+        let mut reader = csv_reader(BufReader::new(file), separator);
+        match reader.headers() {
+            Ok(header) if header.iter().eq(&self.titles) => {}
+            Ok(_) => return Box::new(std::iter::once(Err(self.other_header()))),
+            Err(err) => return Box::new(std::iter::once(Err(self.csv_fault(&err)))),
+        }
         let quoted = reader.get_ref().quoted_cells();
         let mut records = reader.into_byte_records();
         let mut is_first = true;
@@ -134,6 +146,10 @@ impl PlanFile {
         &self,
         reader: SerializedFileReader<File>,
     ) -> Box<dyn Iterator<Item = Result<PlanRow, String>> + Send + '_> {
+        let fields = reader.metadata().file_metadata().schema().get_fields();
+        if !fields.iter().map(|field| field.name()).eq(&self.titles) {
+            return Box::new(std::iter::once(Err(self.other_header())));
+        }
         let name = self.path.display();
         let groups = 0..reader.num_row_groups();
         let rows = groups.flat_map(move |group| -> Vec<Result<PlanRow, String>> {
@@ -163,6 +179,11 @@ impl PlanFile {
         });
         let cells = cells.collect::<Result<_, _>>()?;
         Ok(PlanRow { place, cells })
+    }
+
+    /// What a file says that was another one before.
+    fn other_header(&self) -> String {
+        format!("the columns of `{}` are other ones", self.path.display())
     }
 
     /// What the reader of CSV complains of, in the words of its user.

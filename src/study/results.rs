@@ -8,7 +8,7 @@ use std::{
 use serde_json::Value as Json;
 
 use super::{
-    columns::{ResultColumns, text_of},
+    columns::{CellKind, ResultColumns, text_of},
     row::Row,
     typed_columns,
 };
@@ -19,7 +19,7 @@ use crate::{export::csv_cell, value::shortest};
 pub enum ResultFormat {
     /// A line for each row, units in square brackets in the header.
     Csv,
-    /// A JSON object on a line for each row.
+    /// A JSON object on a line for each row, all with the same members; what is not there is null.
     JsonLines,
     /// Parquet, for libraries of tables.
     Parquet,
@@ -61,7 +61,13 @@ pub fn write_results(
     let mut rows = rows.map(|row| row.map_err(io::Error::other));
     match format {
         ResultFormat::Csv => csv(columns, &mut rows, out),
-        ResultFormat::JsonLines => rows.try_for_each(|row| writeln!(out, "{}", Json::Object(row?))),
+        ResultFormat::JsonLines => rows.try_for_each(|row| {
+            let mut row = row?;
+            let cell = |(title, _): (&str, CellKind)| {
+                (title.to_owned(), row.remove(title).unwrap_or(Json::Null))
+            };
+            writeln!(out, "{}", Json::Object(columns.iter().map(cell).collect()))
+        }),
         ResultFormat::Parquet => typed_columns::write(columns, &mut rows, out),
     }
 }

@@ -2,12 +2,9 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::{
-    plan::{PRIME, Variant},
-    vary::number_and_power,
-};
+use super::{plan::Variant, plan_column::PRIME, vary::number_and_power};
 use crate::{
-    diag::{Diagnostic, Severity, nearest},
+    diag::{Code, Diagnostic, Severity, nearest},
     eval::{Checked, Schema, SchemaParameter},
     session::{Event, Report},
     syntax::ast::Unit,
@@ -61,7 +58,8 @@ impl RowMaker {
         Self { parameters: schema.parameters, unit: schema.unit, wants }
     }
 
-    /// The row of a variant; `why_stopped` tells why it was, where it was stopped.
+    /// The row of a variant; `stopped` tells why it was, where it was stopped: whatever else was found, it is not
+    /// done, and that is its error.
     ///
     /// # Errors
     /// A wanted definition that is nothing that a cell holds.
@@ -86,12 +84,14 @@ impl RowMaker {
         for checked in checks {
             add_check(checked, report, &mut row);
         }
-        let error = report.diagnostics.iter().find(|found| found.severity == Severity::Error);
-        row.insert(CODE.to_owned(), error.map_or(Json::Null, |error| json!(error.code.id())));
-        let message = error.map(|error| match stopped {
-            Some(why) => why.to_owned(),
-            None => error_message(error, report),
-        });
+        let mut errors =
+            report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        let error = match stopped {
+            Some(why) => Some((Code::Stopped, why.to_owned())),
+            None => errors.next().map(|error| (error.code, error_message(error, report))),
+        };
+        let (code, message) = error.map(|(code, message)| (code.id(), message)).unzip();
+        row.insert(CODE.to_owned(), json!(code));
         row.insert(MESSAGE.to_owned(), json!(message));
         row.insert(MILLISECONDS.to_owned(), json!((1e3 * milliseconds).round() / 1e3));
         Ok(row)
@@ -151,7 +151,7 @@ impl RowMaker {
         };
         match parameter.kind {
             "string" | "bool" => json!(text),
-            _ => json!(number),
+            _ => number.map_or(Json::Null, number_cell),
         }
     }
 
@@ -202,12 +202,17 @@ impl RowMaker {
             Value::Bool(truth) => (None, json!(truth)),
             Value::Text(text) => (None, json!(**text)),
             Value::Number(number) if number.dim.is_angle() => {
-                (Some(DEGREES.to_owned()), json!(in_degrees(*number)))
+                (Some(DEGREES.to_owned()), number_cell(in_degrees(*number)))
             }
-            Value::Number(number) => (number.dim.unit(self.unit.name()), json!(number.value)),
+            Value::Number(number) => (number.dim.unit(self.unit.name()), number_cell(number.value)),
             _ => return None,
         })
     }
+}
+
+/// A number as a cell; zero has no sign, as wherever numbers are told.
+fn number_cell(number: f64) -> Json {
+    json!(number + 0.0)
 }
 
 /// The unit of angles in results, as everywhere that they are printed.
@@ -253,7 +258,7 @@ fn add_check(checked: &Checked, report: &Report, row: &mut Row) {
         title.push('\'');
     }
     row.insert(format!("check {title}"), json!(verdict.holds));
-    row.insert(titled(&format!("margin {title}"), unit), json!(margin));
+    row.insert(titled(&format!("margin {title}"), unit), margin.map_or(Json::Null, number_cell));
 }
 
 /// The message of an error with its line.

@@ -23,6 +23,7 @@ use super::{
     row::{Row, RowMaker},
 };
 use crate::{
+    diag::Severity,
     disk,
     eval::Setting,
     export::{Format, PICTURES, io_reason},
@@ -214,7 +215,9 @@ fn row(
         }
         let mut time = time.lock().unwrap_or_else(PoisonError::into_inner);
         let (took, is_late, picture) = std::mem::take(&mut *time);
-        let late = evaluation.time_limit.filter(|_| is_late);
+        // Of one that ended by itself all is there, however late it was.
+        let lacks = report.count(Severity::Error) > 0 || matches!(picture, Some(Ok(None)));
+        let late = evaluation.time_limit.filter(|_| is_late && lacks);
         let late = late.map(|limit| format!("it takes more than {} s", limit.as_secs_f64()));
         let milliseconds = 1e3 * took.as_secs_f64();
         let mut row = evaluation.maker.row(variant, &report, milliseconds, late.as_deref())?;

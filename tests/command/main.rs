@@ -12,6 +12,8 @@ mod repl;
 mod safety;
 #[cfg(unix)]
 mod study;
+#[cfg(unix)]
+mod study_endings;
 #[path = "../support/mod.rs"]
 mod support;
 mod testing;

@@ -441,7 +441,7 @@ fn ctrl_c_ends_a_study_and_keeps_its_rows() {
     let mut said = String::new();
     std::io::Read::read_to_string(&mut child.stderr.take().expect("a pipe"), &mut said)
         .expect("text");
-    assert_eq!(child.wait().expect("it ends").code(), Some(3));
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
     assert!(
         said.contains("the study was stopped") && said.contains("the same command goes on"),
         "{said}"

@@ -445,3 +445,14 @@ fn a_mesh_ends_in_the_middle_of_its_rows() {
     let (ended, _) = meshed(done.steps - 64);
     assert!(matches!(ended, Err(GeomError::Ended)), "{ended:?}");
 }
+
+#[test]
+fn lines_of_a_mesh_that_is_too_fine_are_not_all_laid() {
+    // Each direction has fewer lines than a mesh may have vertices, and both together have far more.
+    let ball = NurbsSurface::sphere(Frame::XY, 1.0).unwrap();
+    let (gauge, stop) = (MemoryGauge::default(), StopToken::default());
+    let watch = Watch { gauge, memory_bytes: usize::MAX, stop, steps: 100_000 };
+    let (ended, done) = work::under(watch, || tessellate(&ball, 1e-11, MOST));
+    assert!(matches!(ended, Err(GeomError::Ended)), "{ended:?}");
+    assert!(done.steps < 110_000, "it leaves at once");
+}

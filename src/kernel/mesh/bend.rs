@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     Direction, Grid, Interval, KnotVector, NurbsSurface, bezier, ceiling::WEIGHT_QUARTERINGS,
-    frame::unit, homogeneous::place, side_by_side, tolerance::EXACT_RELATIVE,
+    frame::unit, homogeneous::place, side_by_side, tolerance::EXACT_RELATIVE, work,
 };
 
 /// The pieces of a surface with what bounds its derivatives there.
@@ -48,7 +48,8 @@ pub(super) struct PieceBounds {
 }
 
 impl DerivativeBounds {
-    /// Those of about as many pieces along u and along v as wanted, found by up to `n_threads` threads.
+    /// Those of about as many pieces along u and along v as wanted, found by up to `n_threads` threads; of no use
+    /// when the work was ended.
     pub(super) fn of(surface: &NurbsSurface, wanted: [usize; 2], n_threads: usize) -> Self {
         let mut clamped = surface.clone();
         for along in Direction::BOTH {
@@ -88,6 +89,9 @@ fn of_homothetic(sections: &HomotheticSections, domains: &[Vec<Interval>; 2]) ->
         .each_ref()
         .map(|domains| -> Vec<f64> { domains.iter().map(|interval| interval.length()).collect() });
     Grid::from_fn(lengths[0].len(), lengths[1].len(), |i, j| {
+        if !work::goes_on(1) {
+            return PieceBounds::UNBOUNDED;
+        }
         let middle = sections.middle([i, j]);
         let second = |reaches: &mut [Reach; 3]| sections.add_second([i, j], reaches);
         PieceBounds::new(middle, [lengths[0][i], lengths[1][j]], second)
@@ -106,6 +110,9 @@ fn of_patches(
     let row = |&(span_u, domain_u): &(usize, Interval)| -> Vec<PieceBounds> {
         let mut hulls = SecondHulls::default();
         let piece = |&(span_v, domain_v): &(usize, Interval)| {
+            if !work::goes_on(1) {
+                return PieceBounds::UNBOUNDED;
+            }
             let net = refined.control_points();
             let columns = refined.knots_v().support(span_v);
             let (first, n_columns) = (*columns.start(), columns.count());

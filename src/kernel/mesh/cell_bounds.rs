@@ -265,6 +265,9 @@ impl CellBounds {
         for _ in 0..BALANCE_ROUNDS {
             let (middle, mut is_best): (f64, bool) = (best.0, true);
             for factor in [middle / step, middle * step] {
+                if !work::goes_on(n_rows as u64) {
+                    return best.1;
+                }
                 let found = balanced(factor);
                 if cost(&found) < BALANCE_GAIN * cost(&best.1) {
                     (best, is_best) = ((factor, found), false);

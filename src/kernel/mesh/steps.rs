@@ -1,6 +1,11 @@
 //! Lines of a grid along one direction of a surface.
 
-use crate::{CountError, GeomError, ceiling::WIDTH_BISECTIONS, numeric::bisection::bisected};
+use crate::{
+    CountError, GeomError,
+    ceiling::WIDTH_BISECTIONS,
+    numeric::bisection::bisected,
+    work::{self, PARTS_A_STEP},
+};
 
 /// Widths that cells may have over parts of an interval.
 #[derive(Debug)]
@@ -25,6 +30,7 @@ impl CellWidths<'_> {
         let mut lines = vec![breaks[0]];
         for pair in breaks.windows(2) {
             self.section([pair[0], pair[1]], &mut lines);
+            GeomError::go_on(1)?;
         }
         Ok(lines)
     }
@@ -45,12 +51,16 @@ impl CellWidths<'_> {
         n
     }
 
-    /// Goes through a section by steps of a factor of the widths.
+    /// Goes through a section by steps of a factor of the widths; not to its end when the work was ended.
     fn walk(&self, [start, end]: [f64; 2], factor: f64, mut each: impl FnMut(f64)) {
         let last = self.widths.len() - 1;
         let mut part = self.ends.partition_point(|&t| t <= start).saturating_sub(1).min(last);
-        let mut t = start;
+        let (mut t, mut n_walked) = (start, 0);
         loop {
+            n_walked += 1;
+            if n_walked % PARTS_A_STEP == 0 && !work::goes_on(1) {
+                break;
+            }
             let next = self.step(t, &mut part, end, factor);
             // A step that rounding swallows would go on for ever.
             if end <= next || next <= t {

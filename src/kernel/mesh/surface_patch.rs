@@ -102,6 +102,7 @@ impl<'a> SurfacePatch<'a> {
     /// `CountError::TooManyVertices`.
     pub(super) fn cells(&self, limits: CellBounds, most: usize) -> Result<Cells, GeomError> {
         let mut widths = limits.widths().map(|(widths, _)| widths);
+        GeomError::go_on(1)?;
         let domains = self.domains();
         let sections = [0, 1].map(|along| {
             let breaks = self.breaks[along].iter().map(|line| line.at);
