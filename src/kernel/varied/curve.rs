@@ -142,7 +142,7 @@ impl VariedCurve {
             if k < basis.n_rows() { basis.get(k, i) } else { 0.0 }
         });
         let orders = Orders { most: order, of_surface: false };
-        let sums = self.slopes.sums(&[span - knots.degree()..span + 1], &factors);
+        let sums = self.slopes.sums(std::iter::once(span - knots.degree()..span + 1), &factors);
         let in_space = |(variable, own): (usize, Vec<DVec4>)| {
             (variable, orders.in_space(&own, &weights, &space))
         };

@@ -109,15 +109,20 @@ impl PointSlopes {
 
     /// Sums of the slopes of points with what acts on them, by each variable that moves one of them: of points that
     /// stand in some ranges, with a row of factors for each point and a sum for each column.
-    fn sums(&self, acting: &[Range<usize>], factors: &Grid<f64>) -> Vec<(usize, Vec<DVec4>)> {
+    fn sums(
+        &self,
+        acting: impl Iterator<Item = Range<usize>> + Clone,
+        factors: &Grid<f64>,
+    ) -> Vec<(usize, Vec<DVec4>)> {
         let mut found = Vec::new();
         for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
             let (mut sums, mut row) = (Vec::new(), 0);
-            for range in acting {
-                for idx in range.start.max(moving.start)..range.end.min(moving.end) {
+            for range in acting.clone() {
+                let (first, end) = (range.start.max(moving.start), range.end.min(moving.end));
+                for (idx, slope) in slopes.iter().enumerate().take(end).skip(first) {
                     sums.resize(factors.n_columns(), DVec4::ZERO);
                     let own = factors.row(row + idx - range.start);
-                    sums.iter_mut().zip(own).for_each(|(sum, factor)| *sum += slopes[idx] * factor);
+                    sums.iter_mut().zip(own).for_each(|(sum, factor)| *sum += slope * factor);
                 }
                 row += range.len();
             }

@@ -144,7 +144,8 @@ impl VariedSurface {
         let in_space = |(variable, own): (usize, Vec<DVec4>)| {
             (variable, orders.in_space(&own, &weights, &held))
         };
-        let slopes = self.slopes.sums(&acting, &factors).into_iter().map(in_space).collect();
+        let slopes =
+            self.slopes.sums(acting.iter().cloned(), &factors).into_iter().map(in_space).collect();
         (space, slopes)
     }
 
