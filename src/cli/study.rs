@@ -119,12 +119,7 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
     };
     interrupt::listen_once();
     let progress = Progress::begin("reading the plan", voice.is_lively());
-    let (n_variants, plan_sum) = plan.check(&schema, &mut |n_rows| {
-        if n_rows % ROWS_A_SIGN == 0 {
-            progress.say(&format!("reading the plan: {n_rows} rows"));
-        }
-        !INTERRUPTED.is_stopped()
-    })?;
+    let (n_variants, plan_sum) = checked(&mut plan, &schema, &progress)?;
     let maker = RowMaker::new(schema, asked.want.clone());
     check_wants(&asked.want, &session, (&script, &disk), voice)?;
 
@@ -138,8 +133,7 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
     }
     let files = KeptFiles::new(&disk, std::mem::take(&mut journal.files));
     if let Some(folder) = &asked.render {
-        fs::create_dir_all(folder)
-            .map_err(|err| format!("cannot make `{}`: {}", folder.display(), io_reason(&err)))?;
+        make_folder(folder)?;
     }
     let new_session = |stop: StopToken| process::session(asked.common.ceilings()).stopped_by(stop);
     let evaluation = Evaluation {
@@ -172,6 +166,26 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         return Err(StudyFailure::Misuse(told));
     }
     finish(asked, format, journal, (&script, n_variants), voice)
+}
+
+/// How many variants a plan has, and its sum, as [`Plan::check`] tells them, with signs of life.
+fn checked(
+    plan: &mut Plan,
+    schema: &Schema,
+    progress: &Progress,
+) -> Result<(u64, String), StudyFailure> {
+    let found = plan.check(schema, &mut |n_rows| {
+        if n_rows % ROWS_A_SIGN == 0 {
+            progress.say(&format!("reading the plan: {n_rows} rows"));
+        }
+        !INTERRUPTED.is_stopped()
+    })?;
+    Ok(found)
+}
+
+fn make_folder(folder: &Path) -> Result<(), String> {
+    fs::create_dir_all(folder)
+        .map_err(|err| format!("cannot make `{}`: {}", folder.display(), io_reason(&err)))
 }
 
 /// What to tell of a study that did not come to its end; of its rows if there are any, else nothing is kept. Those of

@@ -30,9 +30,8 @@ pub fn formatted_lines(session: &Session, text: &str, lines: &Range<usize>) -> V
     let end = index.line(lines.end.max(lines.start + 1) - 1, text).end;
     let touches = |chunk: &Chunk| {
         let is_at_end = chunk.old.start == text.len() && end == text.len();
-        start <= chunk.old.start && chunk.old.start < end
-            || start < chunk.old.end && chunk.old.start < end
-            || is_at_end
+        let reaches = start <= chunk.old.start || start < chunk.old.end;
+        is_at_end || chunk.old.start < end && reaches
     };
     let chunks = chunks(session, text, &new);
     let touched = chunks.iter().filter(|chunk| touches(chunk));

@@ -187,7 +187,7 @@ fn imports_under_way(
         let bytes = files.read(name, session.limits().source_bytes).ok()?;
         Some((path.clone(), Outline::of(session, &String::from_utf8(bytes).ok()?)))
     };
-    let piece = |idx: Option<usize>| Some(text.get(pieces[idx?].1.clone())?);
+    let piece = |idx: Option<usize>| text.get(pieces[idx?].1.clone());
     let calls_script = |name: &str| {
         let ops = session.registry().get(name);
         ops.is_some_and(|(_, ops)| ops.iter().any(|op| op.names_script))

@@ -234,7 +234,7 @@ impl Document {
     /// # Errors
     /// A sentence on why it cannot.
     pub fn renamable(&self, at: usize) -> Result<Range<usize>, String> {
-        let place = self.name_span(at).map(|span| span.range());
+        let place = self.name_span(at).map(Span::range);
         let known = place.and_then(|place| Some((self.definition_of(&place)?, place)));
         let Some((name, place)) = known else {
             return Err("nothing that can be renamed stands here: only names that scripts define"

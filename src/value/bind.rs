@@ -168,27 +168,8 @@ pub fn assign(
         }
     }
 
-    // One whose name is misspelt or cut short is taken for what it stands for.
     let n_positional = call.positional.len();
-    let n_unknown = unknown.len();
-    for (n_searched, (label, value)) in unknown.into_iter().enumerate() {
-        let meant = (n_searched < MOST_TOLD).then(|| meant_by(formals, &slots, &label.value));
-        let half = half_of(formals, &label.value);
-        let only = || only_missing(formals, &slots, n_positional, &value);
-        let is_only = n_unknown == 1 && half.is_none();
-        let meant = meant.flatten().or_else(|| is_only.then(only).flatten());
-        let hint = match meant {
-            Some(idx) => {
-                by_name[idx] = true;
-                slots[idx] = Some(value);
-                Some(format!("did you mean `{}`?", formals[idx].name))
-            }
-            None => half,
-        };
-        let text = format!("there is no parameter `{}`", label.value);
-        mistakes.add(Code::BadCall, label.span, text, hint);
-        mistakes.meant(meant.map(|idx| formals[idx].name.to_owned()));
-    }
+    take_unknown(formals, unknown, n_positional, (&mut slots, &mut by_name), mistakes);
 
     // Arguments by position fill the parameters that are still open for them.
     let is_open = |idx: &usize| {
@@ -222,6 +203,36 @@ pub fn assign(
         mistakes.add(Code::BadCall, call.span, text, None);
     }
     slots
+}
+
+/// Takes arguments whose names are misspelt or cut short for what they stand for, and complains of all that name no
+/// parameter.
+fn take_unknown(
+    formals: &[FormalParameter<'_>],
+    unknown: Vec<(Spanned<Name>, Spanned<Value>)>,
+    n_positional: usize,
+    (slots, by_name): (&mut [Option<Spanned<Value>>], &mut [bool]),
+    mistakes: &mut Mistakes,
+) {
+    let n_unknown = unknown.len();
+    for (n_searched, (label, value)) in unknown.into_iter().enumerate() {
+        let meant = (n_searched < MOST_TOLD).then(|| meant_by(formals, slots, &label.value));
+        let half = half_of(formals, &label.value);
+        let only = || only_missing(formals, slots, n_positional, &value);
+        let is_only = n_unknown == 1 && half.is_none();
+        let meant = meant.flatten().or_else(|| is_only.then(only).flatten());
+        let hint = match meant {
+            Some(idx) => {
+                by_name[idx] = true;
+                slots[idx] = Some(value);
+                Some(format!("did you mean `{}`?", formals[idx].name))
+            }
+            None => half,
+        };
+        let text = format!("there is no parameter `{}`", label.value);
+        mistakes.add(Code::BadCall, label.span, text, hint);
+        mistakes.meant(meant.map(|idx| formals[idx].name.to_owned()));
+    }
 }
 
 /// Arguments by position for which no required parameter is left.
