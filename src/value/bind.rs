@@ -209,7 +209,7 @@ pub fn assign(
 /// parameter.
 fn take_unknown(
     formals: &[FormalParameter<'_>],
-    unknown: Vec<(Spanned<Name>, Spanned<Value>)>,
+    unknown: Vec<(Spanned<Arc<str>>, Spanned<Value>)>,
     n_positional: usize,
     (slots, by_name): (&mut [Option<Spanned<Value>>], &mut [bool]),
     mistakes: &mut Mistakes,
