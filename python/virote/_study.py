@@ -264,7 +264,7 @@ def _pace(n_new: int, n_left: int, seconds: float) -> str:
     if n_new < TELLING_ROWS or seconds < TELLING_SECONDS:
         return ""
     rate = n_new / seconds
-    told = f"{rate:.0f}" if rate >= 100 else f"{rate:#.3g}"
+    told = f"{rate:.0f}" if rate >= 99.95 else f"{rate:#.3g}"
     left = n_left / rate
     units = [(86400, "d"), (3600, "h"), (60, "min"), (1, "s")]
     size, unit = next((one for one in units if 2 * one[0] <= left), (1, "s"))

@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(pace(3, 10_000, 60_000), "");
         assert_eq!(pace(500, 10_000, 40), "");
         assert_eq!(pace(51, 1_000, 4_000), ", 12.8/s, 78s left");
-        assert_eq!(pace(40_000, 1_000_000, 2_500), ", 16000/s, 62s left");
+        assert_eq!(pace(40_000, 1_008_000, 2_500), ", 16000/s, 63s left");
         assert_eq!(pace(4, 40, 400_000), ", 0.0100/s, 67m left");
     }
 }
