@@ -117,7 +117,6 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
         Some(path) => Plan::file(path)?,
         None => Plan::grid(&asked.vary)?,
     };
-    interrupt::listen_once();
     let progress = Progress::begin("reading the plan", voice.is_lively());
     let (n_variants, plan_sum) = checked(&mut plan, &schema, &progress)?;
     let maker = RowMaker::new(schema, asked.want.clone());
@@ -168,12 +167,13 @@ fn study(asked: &StudyOptions, voice: &Reporter) -> Result<ExitStatus, StudyFail
     finish(asked, format, journal, (&script, n_variants), voice)
 }
 
-/// How many variants a plan has, and its sum, as [`Plan::check`] tells them, with signs of life.
+/// How many variants a plan has, and its sum, as [`Plan::check`] tells them, with signs of life; Ctrl-C ends the reading.
 fn checked(
     plan: &mut Plan,
     schema: &Schema,
     progress: &Progress,
 ) -> Result<(u64, String), StudyFailure> {
+    interrupt::listen_once();
     let found = plan.check(schema, &mut |n_rows| {
         if n_rows % ROWS_A_SIGN == 0 {
             progress.say(&format!("reading the plan: {n_rows} rows"));
