@@ -118,9 +118,8 @@ fn ctrl_c_ends_the_reading_of_a_plan() {
 fn a_plan_that_changes_meanwhile_ends_its_study() {
     let slow = "param n = 1\nlet s = sum([for i in 0..<60000: (i * n) % 7])\n";
     let plan = |n: u64| (1..=n).fold("n\n".to_owned(), |text, i| text + &format!("{i}\n"));
-    // Longer than what is read at a time; shorter, ragged, with another value, with another header.
-    let other_header = plan(3000).replacen('n', "m", 1);
-    for changed in [plan(50), plan(50) + "a,b\n", plan(2999) + "7\n", other_header] {
+    // Longer than what is read at a time: what is changed lies behind that.
+    for changed in [plan(50), plan(50) + "a,b\n", plan(2999) + "7\n"] {
         let scratch = Scratch::new("study-plan-changes");
         scratch.file("a.geo", slow);
         scratch.file("p.csv", plan(3000));
