@@ -54,6 +54,7 @@ fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Re
         settling: None,
         picture: None,
         names_script: false,
+        has_given_control_points: false,
         run,
     }
 }
