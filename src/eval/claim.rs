@@ -1,5 +1,6 @@
 //! Claims: what a failed `check` reports: both sides, the limit, the margin.
 
+mod behind;
 mod digits;
 mod list_test;
 mod places;
@@ -7,7 +8,7 @@ mod places;
 use glam::DVec3;
 
 use super::{
-    ir::{BinaryOp, Expr, ExprKind},
+    ir::{BinaryOp, Expr, ExprKind, Program},
     machine::Machine,
     operator::{
         self,
@@ -153,10 +154,18 @@ pub(super) fn shown(value: &Value, unit: Unit) -> String {
 }
 
 impl Machine<'_> {
-    /// Judges a claim in a fresh frame.
-    pub(crate) fn judge(&mut self, claim: &Expr, n_slots: usize) -> Result<Verdict> {
+    /// Judges a claim of a program in a fresh frame.
+    pub(crate) fn judge(
+        &mut self,
+        claim: &Expr,
+        n_slots: usize,
+        program: &Program,
+    ) -> Result<Verdict> {
         self.prepare(n_slots);
-        fault::caught(claim.span, || self.verdict(claim))
+        fault::caught(claim.span, || {
+            let verdict = self.verdict(claim)?;
+            Ok(self.with_witness(verdict, claim, (program, n_slots)))
+        })
     }
 
     fn verdict(&mut self, claim: &Expr) -> Result<Verdict> {

@@ -170,7 +170,7 @@ impl FileRun<'_> {
     }
 
     fn check(&mut self, effect: &Effect, claim: &Expr, message: Option<&Expr>) -> Option<Checked> {
-        let judged = self.machine.judge(claim, effect.n_slots);
+        let judged = self.machine.judge(claim, effect.n_slots, self.program);
         let verdict = self.keep(judged)?;
         let message = match message {
             Some(expr) => Some(self.text(expr, effect.n_slots, "the message of a check")?),

@@ -34,6 +34,11 @@ impl<'s> Lexed<'s> {
         &self.source[self.span(at).range()]
     }
 
+    /// The text of the tokens `start..end`.
+    pub(super) fn source_of(&self, start: usize, end: usize) -> &'s str {
+        &self.source[self.place(start, end).range()]
+    }
+
     /// The place of the tokens `start..end`.
     pub(super) fn place(&self, start: usize, end: usize) -> Span {
         if end > start { self.span(start).to(self.span(end - 1)) } else { self.gap(start) }

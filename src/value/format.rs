@@ -125,7 +125,11 @@ impl NumberFormat {
         if fits {
             // `8.1 1/m`: a unit that begins with a digit stands apart.
             let gap = if name.starts_with(|c: char| c.is_ascii_digit()) { " " } else { "" };
-            return Ok(format!("{}{gap}{name}", self.digits(unit.in_this_unit(number.value))));
+            let value = match self.digits {
+                None => unit.shortest_in(number.value),
+                Some(_) => unit.in_this_unit(number.value),
+            };
+            return Ok(format!("{}{gap}{name}", self.digits(value)));
         }
         Err(FormatRefusal {
             code: Code::UnitMismatch,

@@ -89,6 +89,20 @@ impl UnitText {
     pub(super) fn in_this_unit(&self, value: f64) -> f64 {
         scaled(value, [self.size[1], self.size[0]])
     }
+
+    /// The fewest digits of this unit that are the same number in the document's, but for the rounding of its last bit
+    /// by which units are converted.
+    pub(super) fn shortest_in(&self, value: f64) -> f64 {
+        let own = self.in_this_unit(value);
+        if own.to_bits() == value.to_bits() {
+            return own;
+        }
+        let last_bit = value.abs().next_up() - value.abs();
+        (0..17)
+            .filter_map(|digits| format!("{own:.digits$e}").parse::<f64>().ok())
+            .find(|&candidate| (self.convert(candidate) - value).abs() <= last_bit)
+            .unwrap_or(own)
+    }
 }
 
 /// So many of a unit as files write it, such as `mm^2`, in a document whose unit of length is `length`;

@@ -67,6 +67,9 @@ impl LeastProblem<'_> {
             };
             n_restarts += 1;
         }
+        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && search.is_at_pole()? {
+            end = LeastEnd::Pole;
+        }
         let (unknowns, values) = (search.place, search.values);
         Ok(ConstrainedLeast {
             unknowns,
@@ -290,6 +293,50 @@ mod tests {
         assert_eq!(unbounded, LeastEnd::Unbounded);
         assert_eq!(flat, LeastEnd::Flat);
         assert_eq!([contradictory, curved], [LeastEnd::Contradictory; 2]);
+    }
+
+    #[test]
+    fn poles_are_told_and_what_is_only_steep_is_not() {
+        let end = |functions: fn(&[f64]) -> Vec<f64>, start: &[f64]| {
+            found(functions, start, &vec![FREE; start.len()], 0).end
+        };
+        let poles: [(fn(&[f64]) -> Vec<f64>, &[f64]); 6] = [
+            (|x| vec![-1.0 / (x[0] * x[0])], &[3.0]),
+            (|x| vec![libm::log(x[0].abs())], &[3.0]),
+            (|x| vec![-libm::pow(x[0] - 1.0, -2.0)], &[3.0]),
+            (|x| vec![1.0 / (x[0] * x[0] * x[0])], &[-1.0]),
+            (|x| vec![-1.0 / libm::hypot(x[0] - 1.0, x[1] - 2.0)], &[3.0, 3.0]),
+            (|x| vec![libm::log(libm::hypot(x[0], x[1])) + x[1] * x[1]], &[3.0, 1.0]),
+        ];
+        for (pole, start) in poles {
+            assert_eq!(end(pole, start), LeastEnd::Pole, "from {start:?}");
+        }
+        let steep: [(fn(&[f64]) -> Vec<f64>, &[f64]); 6] = [
+            (|x| vec![-1.0 / (1e-6 + x[0] * x[0])], &[3.0]),
+            (|x| vec![-1.0 / (1e-12 + (x[0] - 1.0) * (x[0] - 1.0))], &[1.5]),
+            (|x| vec![-libm::exp(-1e4 * x[0] * x[0])], &[0.03]),
+            (|x| vec![(x[0] - 1.0).abs().sqrt()], &[3.0]),
+            (|x| vec![libm::pow((x[0] - 1.0).abs(), 0.1)], &[3.0]),
+            (|x| vec![(x[0] - 1.0).abs() + (x[1] + 2.0).abs()], &[3.0, 3.0]),
+        ];
+        for (bounded, start) in steep {
+            assert_ne!(end(bounded, start), LeastEnd::Pole, "from {start:?}");
+        }
+        // Kept off by a bound, or by a condition.
+        let inverse = |x: &[f64]| vec![-1.0 / x[0]];
+        assert_eq!(found(inverse, &[1.0], &[[1e-3, 5.0]], 0).end, LeastEnd::Settled);
+        let beside = |x: &[f64]| vec![-1.0 / x[0], x[0] - 0.5];
+        check(&found(beside, &[1.0], &[FREE], 0), &[0.5]);
+    }
+
+    #[test]
+    fn what_only_tends_to_its_least_value_is_told() {
+        let tends = |x: &[f64]| vec![1.0 / x[0]];
+        assert_eq!(found(tends, &[3.0], &[FREE], 0).end, LeastEnd::Unattained);
+        let along = |x: &[f64]| vec![x[0], x[0] * x[1] - 1.0, x[0]];
+        assert_eq!(found(along, &[1.0, 1.0], &[FREE; 2], 0).end, LeastEnd::Unattained);
+        let falls = |x: &[f64]| vec![-x[0].sqrt()];
+        assert_eq!(found(falls, &[3.0], &[FREE], 0).end, LeastEnd::Unbounded);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::collections::BinaryHeap;
 
 use super::{
+    integral_growth::{Divergence, IntegralGrowth, divergence},
     integral_kink::{beside_kink, kink, unseen_jump},
     integral_look::{is_cut_at, places_between},
     integral_piece::{IntegrationInterval, add, halves},
@@ -51,9 +52,28 @@ pub enum IntegralError<E> {
         at: f64,
         /// What it is.
         error: f64,
-        /// Whether the function has no more digits there: halves of pieces are off as far as the whole.
-        is_noise: bool,
+        /// Why.
+        reason: IntegralReason,
     },
+}
+
+/// Why the error of an integral does not go below what was asked for.
+///
+/// ```
+/// use virote_kernel::{IntegralError, IntegralReason, find_integral};
+///
+/// let found = find_integral(|x| Ok::<_, ()>(vec![1.0 / x]), [0.0, 1.0], 1e-13, 100.0);
+/// let reason = IntegralReason::Endless;
+/// assert!(matches!(found, Err(IntegralError::Unsettled { at: 0.0, reason: found, .. }) if found == reason));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum IntegralReason {
+    /// The function has no more digits there: halves of pieces are off as far as the whole.
+    Noise,
+    /// The function grows so fast towards the place that the integral has no value, or none that numbers come to.
+    Endless,
+    /// Any other.
+    Slow,
 }
 
 /// Numbers between the ends of a piece that is divided: nodes are no longer places of their own in less.
@@ -127,6 +147,7 @@ pub fn find_sized_integral<E>(
     let mut pieces =
         BinaryHeap::from(first_pieces(&mut function, [start, end], MOST_LOOKS).map_err(failed)?);
     let (mut n_noisy, mut is_looked_at) = (0, n_looks == 0);
+    let mut growth = IntegralGrowth::new([start, end]);
     loop {
         let sum = |what: fn(&IntegrationInterval) -> f64| pieces.iter().map(what).sum::<f64>();
         let (error, size) = (sum(|piece| piece.error), sum(|piece| piece.size));
@@ -134,6 +155,14 @@ pub fn find_sized_integral<E>(
         let allowed = absolute.max(relative * size);
         if is_known && error <= allowed {
             let mut settled = pieces.into_vec();
+            // To all digits nothing settles beside a place that the integral does not reach.
+            if relative * size < absolute {
+                let grown = growth.look(&mut function, &mut settled);
+                if grown.map_err(|Divergence { at }| endless(at, error))? {
+                    pieces = settled.into();
+                    continue;
+                }
+            }
             sort_by(&mut settled, |a, b| a.interval[0].total_cmp(&b.interval[0]));
             if !is_looked_at {
                 is_looked_at = true;
@@ -156,21 +185,51 @@ pub fn find_sized_integral<E>(
         }
         let Some(worst) = pieces.pop() else { unreachable!("there is a piece") };
         if !is_wide(&worst, end - start) || INTEGRAL_PIECES <= pieces.len() || !is_known {
-            return Err(IntegralError::Unsettled { at: worst.middle(), error, is_noise: false });
+            return Err(unsettled(&worst, &pieces, error));
         }
-        let found = kink(&mut function, &pieces, &worst, allowed / FINER);
-        let parts = match found.map(|kink| beside_kink(&mut function, [&worst, &worst], kink)) {
-            Some(Ok(parts)) => Ok(parts),
-            // Where it fails so near to a kink there is a pole.
-            _ => halves(&mut function, &worst),
-        };
-        let parts = parts.map_err(failed)?;
+        let mut parts = parts(&mut function, &pieces, &worst, allowed / FINER).map_err(failed)?;
+        parts.iter_mut().for_each(|part| growth.weigh(part));
         n_noisy = if is_noise(&worst, &parts) { n_noisy + 1 } else { 0 };
         if n_noisy == NOISY_HALVINGS {
-            return Err(IntegralError::Unsettled { at: worst.middle(), error, is_noise: true });
+            let (at, reason) = (worst.middle(), IntegralReason::Noise);
+            return Err(IntegralError::Unsettled { at, error, reason });
         }
         pieces.extend(parts);
     }
+}
+
+/// A piece cut beside its kink, or in halves.
+fn parts<E>(
+    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    pieces: &BinaryHeap<IntegrationInterval>,
+    worst: &IntegrationInterval,
+    budget: f64,
+) -> Result<Vec<IntegrationInterval>, E> {
+    let found = kink(function, pieces, worst, budget);
+    match found.map(|kink| beside_kink(function, [worst, worst], kink)) {
+        Some(Ok(parts)) => Ok(parts),
+        // Where it fails so near to a kink there is a pole.
+        _ => halves(function, worst),
+    }
+}
+
+/// Why the worst piece cannot be divided far enough, beside the others.
+fn unsettled<E>(
+    worst: &IntegrationInterval,
+    pieces: &BinaryHeap<IntegrationInterval>,
+    error: f64,
+) -> IntegralError<E> {
+    match divergence(worst, pieces.iter()) {
+        Some(Divergence { at }) => endless(at, error),
+        None => {
+            let reason = IntegralReason::Slow;
+            IntegralError::Unsettled { at: worst.middle(), error, reason }
+        }
+    }
+}
+
+fn endless<E>(at: f64, error: f64) -> IntegralError<E> {
+    IntegralError::Unsettled { at, error, reason: IntegralReason::Endless }
 }
 
 /// Whether both halves of a piece are off by as much for their width as the whole, and the sum stays.
@@ -209,7 +268,7 @@ fn total(pieces: &[IntegrationInterval], error: f64, size: f64) -> Integral {
 
 #[cfg(test)]
 mod tests {
-    use super::{IntegralError, find_integral, find_sized_integral};
+    use super::{IntegralError, IntegralReason, find_integral, find_sized_integral};
 
     fn integral(function: fn(f64) -> f64, interval: [f64; 2]) -> Result<f64, IntegralError<()>> {
         find_integral(|x| Ok(vec![function(x)]), interval, 1e-13, 0.0).map(|found| found.value[0])
@@ -296,7 +355,8 @@ mod tests {
             Ok::<_, ()>(vec![4.0 - x * x + 1e-9 * noise])
         };
         let found = find_integral(noisy, [-2.0, 2.0], 1e-13, 0.0);
-        let Err(IntegralError::Unsettled { error, is_noise: true, .. }) = found else {
+        let Err(IntegralError::Unsettled { error, reason: IntegralReason::Noise, .. }) = found
+        else {
             unreachable!("{found:?}")
         };
         assert!((1e-10..1e-7).contains(&error) && n_asked < 300, "{error} after {n_asked}");

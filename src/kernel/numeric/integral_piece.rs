@@ -44,6 +44,8 @@ pub(super) struct IntegrationInterval {
     pub(super) n_lonely: u32,
     /// Whether the function was asked beside an end already.
     pub(super) is_seen: [bool; 2],
+    /// Whether it was asked how the function grows inside.
+    pub(super) is_looked_at: bool,
 }
 
 impl PartialEq for IntegrationInterval {
@@ -162,6 +164,7 @@ pub(super) fn piece<E>(
         at_ends,
         n_lonely: 0,
         is_seen: [false; 2],
+        is_looked_at: false,
     })
 }
 

@@ -44,6 +44,13 @@ impl SampledPiece {
         self.0.push((place, first_components(value)));
     }
 
+    /// The place of the largest value, and its size.
+    pub(super) fn greatest(&self) -> Option<(f64, f64)> {
+        let size = |value: &[f64]| value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+        let sizes = self.0.iter().map(|(place, value)| (*place, size(value)));
+        sizes.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
     /// How far a value at another place is from the polynomial through the samples.
     pub(super) fn distance_at(&self, place: f64, value: &[f64]) -> f64 {
         SidePolynomial::through(self).distance(place, &first_components(value))

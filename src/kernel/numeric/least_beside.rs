@@ -67,28 +67,36 @@ where
 
     /// The places on both sides along a way, led back to where the conditions hold and those that are held are zero.
     fn sides(&mut self, way: &[f64], reach: f64, held: &[usize]) -> Result<Sides, E> {
-        let mut side = |share: f64| -> Result<_, E> {
-            let mut step: Vec<f64> = way.iter().map(|part| share * part).collect();
-            let mut best = self.moved(&step, 1.0)?;
-            if held.is_empty() {
-                return Ok(best);
-            }
-            for _ in 0..CONDITION_CORRECTIONS {
-                let Some(next) = self.led_back(&step, held)? else { break };
-                let taken = next.0.iter().zip(&self.place).zip(&self.units);
-                step = taken.map(|((x, from), unit)| (x - from) / unit).collect();
-                if self.merit(&next.1) < self.merit(&best.1) {
-                    best = next;
-                }
-            }
-            Ok(best)
-        };
-        let [before, behind] = [side(-reach)?, side(reach)?];
+        let [before, behind] =
+            [self.led_along(way, -reach, held)?, self.led_along(way, reach, held)?];
         let merits = [self.merit(&before.1), self.merit(&behind.1)];
         let is_before = merits[0] <= merits[1];
         let merits = if is_before { merits } else { [merits[1], merits[0]] };
         let (place, values) = if is_before { before } else { behind };
         Ok(Sides { merits, place, values })
+    }
+
+    /// The place along a way, led back to where the conditions hold and those that are held are zero, and the values there.
+    pub(super) fn led_along(
+        &mut self,
+        way: &[f64],
+        reach: f64,
+        held: &[usize],
+    ) -> Result<(Vec<f64>, Vec<f64>), E> {
+        let mut step: Vec<f64> = way.iter().map(|part| reach * part).collect();
+        let mut best = self.moved(&step, 1.0)?;
+        if held.is_empty() {
+            return Ok(best);
+        }
+        for _ in 0..CONDITION_CORRECTIONS {
+            let Some(next) = self.led_back(&step, held)? else { break };
+            let taken = next.0.iter().zip(&self.place).zip(&self.units);
+            step = taken.map(|((x, from), unit)| (x - from) / unit).collect();
+            if self.merit(&next.1) < self.merit(&best.1) {
+                best = next;
+            }
+        }
+        Ok(best)
     }
 
     /// Whether a place is better along a way on which the function does not bend up; the search goes there.
@@ -220,12 +228,12 @@ where
     }
 }
 
-fn axis(n: usize, along: usize) -> Vec<f64> {
+pub(super) fn axis(n: usize, along: usize) -> Vec<f64> {
     (0..n).map(|k| if k == along { 1.0 } else { 0.0 }).collect()
 }
 
 /// Ways of length one at right angles to one another and to what holds a place.
-fn free_ways(holding: &[HoldingCondition], n: usize) -> Vec<Vec<f64>> {
+pub(super) fn free_ways(holding: &[HoldingCondition], n: usize) -> Vec<Vec<f64>> {
     let mut left: Vec<Vec<f64>> = (0..n).map(|k| axis(n, k)).collect();
     let mut normals: Vec<Vec<f64>> = holding.iter().map(|held| held.normal.clone()).collect();
     let mut ways = Vec::new();

@@ -41,6 +41,10 @@ pub enum LeastEnd {
     Settled,
     /// The function falls as far as the search went.
     Unbounded,
+    /// The function falls by less and less as far as the search went, so that it has no least value or only tends to it.
+    Unattained,
+    /// The function falls without bound near the place.
+    Pole,
     /// The conditions do not hold together near by.
     Contradictory,
     /// The function is the same all around the start.

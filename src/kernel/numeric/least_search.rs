@@ -7,6 +7,7 @@ use super::{
     answers::{Answers, CountedFunctions, Wanted},
     least_model::{CurvatureModel, ModelStep, Terms, magnitude},
     least_problem::{LeastEnd, LeastProblem},
+    least_trail::LeastTrail,
 };
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
@@ -30,6 +31,7 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) penalties: Vec<f64>,
     /// The weighted gradients at the place where the steps ended.
     pub(super) slopes: Vec<Vec<f64>>,
+    trail: LeastTrail,
 }
 
 impl<'a, F, E> LeastSearch<'a, F>
@@ -61,6 +63,7 @@ where
             values,
             penalties: vec![0.0; n_conditions],
             slopes: Vec::new(),
+            trail: LeastTrail::default(),
         };
         let gradients = search.gradients()?;
         for (idx, gradient) in gradients.iter().enumerate() {
@@ -103,7 +106,7 @@ where
             + broken.zip(&self.penalties).map(|(broken, penalty)| broken * penalty).sum::<f64>()
     }
 
-    fn most_broken(&self) -> f64 {
+    pub(super) fn most_broken(&self) -> f64 {
         self.problem.broken(&self.weighted(&self.values)).fold(0.0, f64::max)
     }
 
@@ -164,8 +167,8 @@ where
             };
             let before = std::mem::replace(&mut self.place, place);
             self.values = values;
-            if self.place.iter().zip(&self.units).any(|(x, unit)| LEAST_FAR < (x / unit).abs()) {
-                return Ok(LeastEnd::Unbounded);
+            if let Some(end) = self.end_far_away() {
+                return Ok(end);
             }
             let behind = self.gradients()?;
             let way: Vec<f64> = (self.place.iter().zip(&before).zip(&self.units))
@@ -176,6 +179,17 @@ where
         }
         self.slopes = gradients;
         Ok(LeastEnd::Unsettled)
+    }
+
+    /// How it ends where the place is many times the unknowns' sizes away from zero.
+    fn end_far_away(&mut self) -> Option<LeastEnd> {
+        let sizes = self.place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs());
+        let distance = sizes.fold(0.0, f64::max);
+        self.trail.keep(distance, self.values[0]);
+        (LEAST_FAR < distance).then(|| match self.trail.falls_ever_less() {
+            true => LeastEnd::Unattained,
+            false => LeastEnd::Unbounded,
+        })
     }
 
     /// Lets each broken condition count by as much as it holds a step off, and for more and more where the conditions

@@ -17,7 +17,7 @@ use crate::{
 /// let circles = |x: &[f64], _| {
 ///     Ok::<_, ()>(vec![x[0] * x[0] + x[1] * x[1] - 25.0, x[0] - x[1] - 1.0].into())
 /// };
-/// let found: LeastSquares = find_least_squares(circles, &[1.0, 1.0])?;
+/// let found: LeastSquares = find_least_squares(circles, &[1.0, 1.0], &[])?;
 /// assert!((found.unknowns[0] - 4.0).abs() < 1e-12 && found.is_settled);
 /// # Ok::<(), ()>(())
 /// ```
@@ -39,11 +39,14 @@ pub struct LeastSquares {
 }
 
 /// Unknowns near a start for which the squares of several functions add up to least: zero, where there are
-/// no more functions than unknowns and they have a common root near by.
+/// no more functions than unknowns and they have a common root near by. Each stays between its bounds; there
+/// are none of any where `bounds` is empty.
 ///
 /// Steps between Newton's and the steepest descent, by the functions' gradients, or by central differences
 /// where they have none. Moré, *The Levenberg-Marquardt
-/// algorithm: implementation and theory*, LNM 630 (1978); Nocedal & Wright, *Numerical Optimization*, §10.3.
+/// algorithm: implementation and theory*, LNM 630 (1978); Nocedal & Wright, *Numerical Optimization*, §10.3. At a bound
+/// over which the squares fall an unknown is held, and steps end at bounds: Kanzow, Yamashita & Fukushima,
+/// *Levenberg–Marquardt methods with strong local convergence*, J. Comput. Appl. Math. 172 (2004).
 ///
 /// ```
 /// use virote_kernel::find_least_squares;
@@ -51,7 +54,7 @@ pub struct LeastSquares {
 /// // The line nearest to three points.
 /// let line =
 ///     |x: &[f64], _| Ok::<_, ()>(vec![x[0], x[0] + x[1] - 1.0, x[0] + 2.0 * x[1] - 1.0].into());
-/// let found = find_least_squares(line, &[0.0, 0.0])?;
+/// let found = find_least_squares(line, &[0.0, 0.0], &[])?;
 /// assert!((found.unknowns[0] - 1.0 / 6.0).abs() < 1e-9 && (found.unknowns[1] - 0.5).abs() < 1e-9);
 /// # Ok::<(), ()>(())
 /// ```
@@ -61,8 +64,9 @@ pub struct LeastSquares {
 pub fn find_least_squares<E>(
     functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     start: &[f64],
+    bounds: &[[f64; 2]],
 ) -> Result<LeastSquares, E> {
-    let mut search = SquaresSearch::new(functions, start)?;
+    let mut search = SquaresSearch::new(functions, start, bounds)?;
     let mut way = search.go_on()?;
     for _ in 0..LEAPS {
         // What tends to zero, as an exponential does, would be followed until it is none.
@@ -92,7 +96,8 @@ const LEAP_STEPS: usize = 6;
 const LEFT_BY_LEAP: f64 = 0.25;
 
 /// A search under way.
-struct SquaresSearch<F> {
+struct SquaresSearch<'b, F> {
+    bounds: &'b [[f64; 2]],
     asked: CountedFunctions<F>,
     unknowns: Vec<f64>,
     residuals: Vec<f64>,
@@ -108,15 +113,28 @@ struct Way {
     last: Option<(Vec<Vec<f64>>, Vec<f64>)>,
 }
 
-impl<F, E> SquaresSearch<F>
+impl<'b, F, E> SquaresSearch<'b, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
-    fn new(functions: F, start: &[f64]) -> Result<Self, E> {
+    fn new(functions: F, start: &[f64], bounds: &'b [[f64; 2]]) -> Result<Self, E> {
         let mut asked = CountedFunctions::new(functions);
-        let residuals = asked.values(start)?;
+        let unknowns = clamped(start, bounds);
+        let residuals = asked.values(&unknowns)?;
         let first_residuals = residuals.clone();
-        Ok(Self { asked, unknowns: start.to_vec(), residuals, first_residuals })
+        Ok(Self { bounds, asked, unknowns, residuals, first_residuals })
+    }
+
+    /// The equations of a step in which unknowns stay that the squares would lead over their bounds.
+    fn equations(&self, gradients: &[Vec<f64>]) -> NormalEquations {
+        let mut equations = NormalEquations::new(gradients, &self.residuals);
+        for (k, (x, [low, high])) in self.unknowns.iter().zip(self.bounds).enumerate() {
+            let way = equations.right[k];
+            if *x <= *low && way < 0.0 || *high <= *x && 0.0 < way {
+                equations.hold(k);
+            }
+        }
+        equations
     }
 
     /// Damped steps, each of which leads down.
@@ -128,9 +146,9 @@ where
             if square <= 0.0 {
                 return Ok(Way { is_settled: true, is_ended: true, last: None });
             }
-            let gradients = self.asked.gradients(&self.unknowns, &[])?;
+            let gradients = self.asked.gradients(&self.unknowns, self.bounds)?;
             let is_known = gradients.iter().flatten().all(|slope| slope.is_finite());
-            let equations = NormalEquations::new(&gradients, &self.residuals);
+            let equations = self.equations(&gradients);
             way.last = Some((gradients, self.residuals.clone()));
             if !is_known {
                 // Differences that reach to where there is no value.
@@ -138,11 +156,11 @@ where
             }
             // The damping grows until a step leads down, or is none any more.
             let accepted = loop {
-                let step = equations.step(damping);
+                let moved = clamped(&plus(&self.unknowns, &equations.step(damping)), self.bounds);
+                let step = minus(&moved, &self.unknowns);
                 if !is_moved(&self.unknowns, &step) {
                     break None;
                 }
-                let moved = plus(&self.unknowns, &step);
                 let values = self.asked.values(&moved)?;
                 if squares(&values) < square {
                     break Some((moved, values, step));
@@ -169,9 +187,9 @@ where
         let (mut unknowns, mut residuals) = (self.unknowns.clone(), self.residuals.clone());
         let most = left * squares(&residuals);
         for _ in 0..LEAP_STEPS {
-            let gradients = self.asked.gradients(&unknowns, &[])?;
+            let gradients = self.asked.gradients(&unknowns, self.bounds)?;
             let step = NormalEquations::new(&gradients, &residuals).step(STEP_REST_RELATIVE);
-            unknowns = plus(&unknowns, &step);
+            unknowns = clamped(&plus(&unknowns, &step), self.bounds);
             residuals = self.asked.values(&unknowns)?;
             if squares(&residuals) <= most {
                 (self.unknowns, self.residuals) = (unknowns, residuals);
@@ -187,6 +205,17 @@ where
 
 fn plus(unknowns: &[f64], step: &[f64]) -> Vec<f64> {
     unknowns.iter().zip(step).map(|(x, step)| x + step).collect()
+}
+
+fn minus(unknowns: &[f64], others: &[f64]) -> Vec<f64> {
+    unknowns.iter().zip(others).map(|(x, other)| x - other).collect()
+}
+
+/// Unknowns brought between their bounds, where there are any.
+fn clamped(unknowns: &[f64], bounds: &[[f64; 2]]) -> Vec<f64> {
+    let mut inside = unknowns.to_vec();
+    inside.iter_mut().zip(bounds).for_each(|(x, [low, high])| *x = x.max(*low).min(*high));
+    inside
 }
 
 fn largest(all: &[f64]) -> f64 {
@@ -247,6 +276,13 @@ impl NormalEquations {
         Self { products, right }
     }
 
+    /// Lets an unknown stay as it is.
+    fn hold(&mut self, k: usize) {
+        self.right[k] = 0.0;
+        self.products.iter_mut().for_each(|row| row[k] = 0.0);
+        self.products[k].fill(0.0);
+    }
+
     /// The step with a damping, which is a share of each diagonal coefficient.
     fn step(&self, damping: f64) -> Vec<f64> {
         let n = self.right.len();
@@ -276,7 +312,7 @@ mod tests {
     use super::{LeastSquares, find_least_squares};
 
     fn found(functions: fn(&[f64]) -> Vec<f64>, start: &[f64]) -> LeastSquares {
-        find_least_squares(|x, _| Ok::<_, ()>(functions(x).into()), start).expect("no failure")
+        find_least_squares(|x, _| Ok::<_, ()>(functions(x).into()), start, &[]).expect("no failure")
     }
 
     #[test]
@@ -323,6 +359,31 @@ mod tests {
         let plane = found(|x| vec![x[0] + x[1] - 2.0], &[0.0, 0.0, 7.0]);
         assert!((plane.unknowns[0] + plane.unknowns[1] - 2.0).abs() < 1e-12, "{plane:?}");
         assert!((plane.unknowns[2] - 7.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn unknowns_stay_between_their_bounds() {
+        let within = |functions: fn(&[f64]) -> Vec<f64>, start: &[f64], bounds: &[[f64; 2]]| {
+            let inside = |x: &[f64], _| {
+                let mut pairs = x.iter().zip(bounds);
+                assert!(pairs.all(|(x, [low, high])| low <= x && x <= high), "{x:?}");
+                Ok::<_, ()>(functions(x).into())
+            };
+            find_least_squares(inside, start, bounds).expect("no failure")
+        };
+        // Of the two roots the one inside, from beyond where free steps lead to the other one.
+        let circle = |x: &[f64]| vec![x[0] * x[0] + x[1] * x[1] - 25.0, x[0] - x[1] - 1.0];
+        let inside = within(circle, &[-0.1, -1.0], &[[-9.0, 0.0], [-9.0, 9.0]]);
+        assert!((inside.unknowns[0] + 3.0).abs() < 1e-12 && inside.rest < 1e-9, "{inside:?}");
+        // A root on a border, and none inside.
+        let corner =
+            within(|x| vec![x[0] - 1.0, x[0] * x[1] - 2.0], &[0.2, 0.3], &[[0.0, 1.0], [0.0, 2.0]]);
+        assert!((corner.unknowns[1] - 2.0).abs() < 1e-9, "{corner:?}");
+        let none = within(|x| vec![x[0] + x[1] - 3.0, x[0] - x[1]], &[0.2, 0.3], &[[0.0, 1.0]; 2]);
+        assert!(0.5 < none.residuals[0].abs(), "{none:?}");
+        // The squares are least on the border.
+        let mean = within(|x| [1.0, 2.0, 6.0].map(|y| x[0] - y).to_vec(), &[0.0], &[[0.0, 2.5]]);
+        assert!((mean.unknowns[0] - 2.5).abs() < 1e-12 && mean.is_settled, "{mean:?}");
     }
 
     #[test]

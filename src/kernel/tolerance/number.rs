@@ -82,15 +82,37 @@ pub const SWITCH_SPEED_RELATIVE: f64 = 1e-6;
 /// Larger loses the motion of small jumps from a derivative; smaller looks for that of rounding.
 pub const SWITCH_ALIKE_RELATIVE: f64 = 1e-11;
 
-/// Whether a least value is that of a pole is told over this share of the range beside it.
+/// How near to a pole a function is asked at most, as a fraction of the unknowns' sizes.
 ///
-/// Larger looks at another place; smaller does not see that the function falls on.
-pub const POLE_STEP_RELATIVE: f64 = 1e-6;
+/// Larger takes for a pole what is bounded nearer by; smaller asks about a pole at 0 for longer.
+pub(crate) const POLE_NEAREST: f64 = 1e-40;
+
+/// The share of its fall over the part of the way to a pole before by which a function falls over the next one at least.
+///
+/// Larger does not see that a logarithm falls on; smaller takes high roots of a distance for poles.
+pub(crate) const POLE_SHRINKAGE: f64 = 0.9;
+
+/// A fall towards a pole is at least this fraction of the value.
+///
+/// Larger misses logarithms beside large numbers; smaller takes noise for a fall.
+pub(crate) const POLE_FALL_RELATIVE: f64 = 1e-6;
 
 /// A limit without a unit beside an angle up to here leaves rounding alone, whichever unit is meant.
 ///
 /// Larger lets claims hold in radians that are meant in degrees; smaller refuses limits for rounding.
 pub const LIMIT_WITHOUT_UNIT: f64 = 1e-3;
+
+/// Pieces of an integral of which two rules say things that differ by this fraction may hide a place up to which there
+/// is none.
+///
+/// Larger passes over small poles on large functions; smaller asks more questions where a tolerance is wide.
+pub(crate) const INTEGRAL_SUSPECT_RELATIVE: f64 = 1e-6;
+
+/// The power of the logarithm of the distance to a place by which a function's size times the distance falls, at least,
+/// where its integral up to there is known: of 1/(x·ln x) it is 1 and there is none, of 1/(x·ln² x) it is 2.
+///
+/// Larger refuses integrals that are known; smaller takes what numbers reach of an endless one for all of it.
+pub(crate) const INTEGRAL_TAIL_LEAST: f64 = 1.5;
 
 /// A piece of this fraction of an interval is not divided any more.
 ///
@@ -207,6 +229,13 @@ pub(crate) const HOLDING_RELATIVE: f64 = 1e-6;
 ///
 /// Larger wanders further; smaller refuses what is far from its start.
 pub const LEAST_FAR: f64 = 1e8;
+
+/// The share of its fall over a part of the way there by which such a function falls over the next one, equal by powers
+/// of the distance; one that falls by less may tend to a least value, and has none.
+///
+/// Larger says of a logarithm that it may tend to a value; smaller says of what nears its least value slowly that it
+/// has no bound.
+pub(crate) const FAR_SHRINKAGE: f64 = 0.9;
 
 /// A condition that is broken by this fraction of its steepness at the start holds.
 ///

@@ -7,20 +7,13 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted, find_least,
-        tolerance::{CONDITION_RELATIVE, POLE_STEP_RELATIVE},
+        Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted, find_least, find_pole,
+        tolerance::CONDITION_RELATIVE,
     },
     value::{
         Callback, CommonDimension, Ctx, FromValue, IntoValue, Number, Real, Record, Relation, Value,
     },
 };
-
-/// How many times farther from the best place a function is asked again whether it has a pole there.
-const FARTHER: f64 = 8.0;
-
-/// By how much more it changes on the way to a pole than before, and by how many times its value is as large there.
-const POLE_GROWTH: f64 = 4.0;
-const POLE_DEPTH: f64 = 100.0;
 
 /// Which values are better.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -84,43 +77,31 @@ impl BestSearch {
                 .hint("it may not depend on its unknown; else look elsewhere")
                 .fail();
         }
-        self.check_bounded(ctx, range, (found.at, found.value), (better, &mut dim))?;
+        let pole = find_pole(
+            |at| {
+                n_asked += 1;
+                match number_at(ctx, &self.f, range, (at, &mut dim)) {
+                    Err(found) if is_without_value(&found) => Ok::<_, Box<Diagnostic>>(None),
+                    value => Ok(Some(sign * value?)),
+                }
+            },
+            range.ends,
+            found,
+        )?;
+        if let Some(pole) = pole {
+            let message = format!(
+                "the function {} without bound near {}",
+                better.falls(),
+                range.place_text(pole)
+            );
+            return Diagnostic::error(Code::NoAnswer, self.f.span, message)
+                .label("so no value is the best")
+                .hint("it has a pole there: let the range end beside it")
+                .fail();
+        }
         let value = Number { value: sign * found.value, dim: dim.dimension() };
         let place = range.found_by(dim.known()).place(found.at).into_value();
         Ok(self.answer(place, value, (n_asked, "none")))
-    }
-
-    /// That the best place is no pole: there the function changes the more the nearer it is asked, on each side.
-    fn check_bounded(
-        &self,
-        ctx: &mut Ctx<'_>,
-        range: &SearchRange,
-        (at, least): (f64, f64),
-        (better, dim): (Better, &mut CommonDimension),
-    ) -> Result<()> {
-        let [from, to] = range.ends;
-        let step = POLE_STEP_RELATIVE * (to - from);
-        let (mut n_sides, mut n_falling) = (0, 0);
-        for way in [-step, step] {
-            if !(from..=to).contains(&(at + FARTHER * way)) {
-                continue;
-            }
-            n_sides += 1;
-            let mut ask = |at| number_at(ctx, &self.f, range, (at, &mut *dim));
-            let [near, far] =
-                [ask(at + way)?, ask(at + FARTHER * way)?].map(|value| better.sign() * value);
-            let is_steep = POLE_GROWTH * (far - near).abs() < near - least;
-            n_falling += usize::from(is_steep && POLE_DEPTH * far.abs() < least.abs());
-        }
-        if n_sides == 0 || n_falling < n_sides {
-            return Ok(());
-        }
-        let what = if better == Better::Lower { "falls" } else { "grows" };
-        let message = format!("the function {what} without bound near {}", range.place_text(at));
-        Diagnostic::error(Code::NoAnswer, self.f.span, message)
-            .label("so no value is the best")
-            .hint("it has a pole there: let the range end beside it")
-            .fail()
     }
 
     /// The answer, or the record that tells how it was found.
@@ -204,6 +185,22 @@ impl Better {
         match self {
             Self::Lower => 1.0,
             Self::Higher => -1.0,
+        }
+    }
+
+    /// What a function does that becomes better and better.
+    fn falls(self) -> &'static str {
+        match self {
+            Self::Lower => "falls",
+            Self::Higher => "grows",
+        }
+    }
+
+    /// What its best value is.
+    fn least(self) -> &'static str {
+        match self {
+            Self::Lower => "least",
+            Self::Higher => "greatest",
         }
     }
 }
@@ -294,10 +291,7 @@ impl Asking<'_, '_> {
 
     /// Why there is no best place.
     fn refusal(&self, unknowns: &Unknowns, found: &ConstrainedLeast) -> Diagnostic {
-        let [falls, least] = match self.better {
-            Better::Lower => ["falls", "least"],
-            Better::Higher => ["grows", "greatest"],
-        };
+        let [falls, least] = [self.better.falls(), self.better.least()];
         let place = unknowns.rounded(&found.unknowns);
         let best = six_digits(self.better.sign() * found.values[0], self.dim.known());
         let refused = |message| {
@@ -307,6 +301,17 @@ impl Asking<'_, '_> {
         match found.end {
             LeastEnd::Unbounded => refused(format!("the function {falls} without bound"))
                 .hint("give bounds by `within`, or conditions by `subject`"),
+            LeastEnd::Unattained => {
+                refused(format!("the function {falls} by less and less the farther off, and attains no {least} value"))
+                    .hint("what it may tend to is not reached: give bounds by `within`, or conditions by `subject`")
+            }
+            LeastEnd::Pole => {
+                let place = unknowns.rounded(&unknowns.beside_zero(&found.unknowns));
+                let message = format!("the function {falls} without bound near {place}");
+                Diagnostic::error(Code::NoAnswer, self.f.span, message)
+                    .label("so no value is the best")
+                    .hint("it has a pole there: keep off it by `within`, or by conditions in `subject`")
+            }
             LeastEnd::Flat => refused("the function is the same all around the start".to_owned())
                 .hint("it may not depend on the unknowns; else start elsewhere"),
             LeastEnd::Contradictory => {

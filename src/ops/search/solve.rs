@@ -1,9 +1,9 @@
 //! `solve`: where a function is zero.
 
 use super::{
-    SearchRange, number_at, six_digits,
+    SearchRange, Within, number_at, six_digits,
     system::solved,
-    unknowns::{asked, number},
+    unknowns::{asked, number, single},
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
@@ -40,14 +40,15 @@ op! {
     /// From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     /// and the function yields as many numbers or more, each of which is to be zero: of more than there are
     /// unknowns the squares are made least. Steps to where the function has no value are taken shorter. The search may
-    /// end at another root than the nearest one. Moré,
-    /// *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
+    /// end at another root than the nearest one; with `within` beside the start the unknowns stay between those bounds.
+    /// Moré, *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
     solve in Math -> Value {
         /// A function of the unknown that yields what is to be zero; both may have a dimension.
         f: Spanned<Callback>,
-        /// The range in which the root is.
-        within: Option<Spanned<Range>>,
-        /// Where the search begins, instead of a range.
+        /// The range in which the root is; beside a start also a list or record of ranges for several unknowns, or one
+        /// for all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
+        within: Option<Spanned<Within>>,
+        /// Where the search begins, inside of `within` where there is that; of one number in a range there is none.
         start: Option<Spanned<Value>>,
         /// Whether all roots are wanted, as a list; without it one is.
         all: bool = false,
@@ -66,6 +67,7 @@ op! {
     example "solve(p => [p.x + p.y - 3, p.x - p.y - 1], start = (0, 0)) ~= (2, 1)" => "true";
     example "solve(u => [u.a * u.b - 6, u.a + u.b - 5], start = {a: 1, b: 4}).a ~= 2" => "true";
     example "solve(u => [exp(u[0]) - 1000], start = [0])[0] ~= ln(1000)" => "true";
+    example "solve(u => [u.a * u.b - 6, u.a + u.b - 5], start = {a: 4, b: 4}, within = {a: 2.5..9}).a ~= 3" => "true";
     example "gradient(a => solve(x => x^2 - a, within = 0..5), 4) ~= 0.25" => "true";
     example "gradient(r => solve(p => [norm(p) - r, p.y - 2*p.x], start = (1, 1)).x, 5) ~= 1/sqrt(5) within 1e-9" => "true";
     refuses "solve(x => x^2 + 1, within = -1..2)" => "E0504: the function is 0 nowhere within -1..2";
@@ -77,17 +79,17 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
-    match (args.within, args.start) {
-        (Some(within), None) => within_range(ctx, &args.f, within, args.all, args.report),
-        (None, Some(_)) if args.all => {
+    let within = args.within.map(|within| within.map(|within| within.0));
+    match (within, args.start) {
+        (_, Some(_)) if args.all => {
             let message =
                 "`solve` finds one root from a start; all of them are found within a range";
             Diagnostic::error(Code::BadCall, ctx.span, message)
                 .hint("`within = 0..10, all = true` for the roots of one number")
                 .fail()
         }
-        (None, Some(start)) => {
-            let (root, found, dim) = solved(ctx, &args.f, &start)?;
+        (within, Some(start)) => {
+            let (root, found, dim) = solved(ctx, &args.f, &start, within.as_ref())?;
             let value = found.residuals.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let residual = Number { value, dim }.into_value();
             Ok(if args.report {
@@ -96,11 +98,17 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
                 root
             })
         }
-        (within, _) => {
-            let message = match within {
-                None => "`solve` needs a range to look in, or a start",
-                Some(_) => "`solve` looks within a range or from a start, not both",
-            };
+        (Some(within), None) => match single(&within) {
+            Some(range) => within_range(ctx, &args.f, range, args.all, args.report),
+            None => {
+                let message = "`solve` looks for several unknowns from a start";
+                Diagnostic::error(Code::BadCall, within.span, message)
+                    .hint("give `start = {a: 1, b: 2}` beside these bounds")
+                    .fail()
+            }
+        },
+        (None, None) => {
+            let message = "`solve` needs a range to look in, or a start";
             Diagnostic::error(Code::BadCall, ctx.span, message)
                 .hint("`within = 0..10` for one number, `start = (1, 2)` for several unknowns")
                 .fail()

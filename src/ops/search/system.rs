@@ -22,10 +22,13 @@ pub(super) fn solved(
     ctx: &mut Ctx<'_>,
     function: &Spanned<Callback>,
     start: &Spanned<Value>,
+    within: Option<&Spanned<Value>>,
 ) -> Result<(Value, LeastSquares, Dimension)> {
     let is_varying = ctx.caller.is_varying(&function.value.0);
     // Where the search begins has no part in where the root is.
     let unknowns = Unknowns::new(&Spanned::new(without_derivatives(&start.value), start.span))?;
+    let bounds = unknowns.bounds(within)?;
+    unknowns.check_inside(&bounds, start.span)?;
     let (n_residuals, mut dim) = (Cell::new(0), Dimension::NONE);
     let (mut common, mut is_mixed) = (CommonDimension::default(), false);
     let mut ask = |place: &Value| {
@@ -53,6 +56,7 @@ pub(super) fn solved(
             }
         },
         &unknowns.values,
+        &bounds,
     )?;
     let (left, first) = (size(&found.residuals), size(&found.first_residuals));
     let is_small = left <= SYSTEM_ROOT_RELATIVE * first;
@@ -75,7 +79,7 @@ pub(super) fn solved(
         let of_residuals = if is_mixed { Dimension::NONE } else { common.dimension() };
         return Ok((unknowns.found_by(dim).with_reals(&reals), found, of_residuals));
     }
-    no_root(&unknowns, &found, start.span, is_small)
+    no_root(&unknowns, &found, start.span, (is_small, within.is_some()))
 }
 
 /// Whether the function yields as many numbers as before, one or more; the first count is kept.
@@ -85,17 +89,27 @@ fn check_as_many(count: &Cell<usize>, n: usize, place: &Value, span: Span) -> Re
     if n == n_before && n != 0 {
         return Ok(());
     }
+    if n == 0 {
+        let message = format!("the function yields no numbers at {place}");
+        return Diagnostic::error(Code::WrongKind, span, message)
+            .hint("it yields what is to be 0, a number or a list of such: `u => [u.a + u.b - 3, u.a - u.b]`")
+            .fail();
+    }
     let message = format!("the function yields {n} numbers at {place}, and {n_before} before");
     Diagnostic::error(Code::WrongKind, span, message).fail()
 }
 
 /// Why there is no root, where the search ended.
-fn no_root<T>(unknowns: &Unknowns, found: &LeastSquares, start: Span, is_small: bool) -> Result<T> {
+fn no_root<T>(
+    unknowns: &Unknowns,
+    found: &LeastSquares,
+    start: Span,
+    (is_small, is_bounded): (bool, bool),
+) -> Result<T> {
     let [left, first] = [&found.residuals, &found.first_residuals].map(|values| size(values));
-    let message = match is_small {
-        true => "no root was found from this start: the functions only tend to 0, or come near",
-        false => "no root was found from this start",
-    };
+    let within = if is_bounded { " within the bounds" } else { "" };
+    let tends = if is_small { ": the functions only tend to 0, or come near" } else { "" };
+    let message = format!("no root was found from this start{within}{tends}");
     Diagnostic::error(Code::NoAnswer, start, message)
         .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))
         .hint(format!(

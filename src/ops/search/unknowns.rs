@@ -8,7 +8,10 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Answers, Jet, Wanted, tolerance::EXACT_RELATIVE},
+    kernel::{
+        Answers, Jet, Wanted,
+        tolerance::{EXACT_RELATIVE, PARAMETER_RELATIVE},
+    },
     value::{Callback, Ctx, Dimension, IntoValue, Number, Range, Real, Record, Value, Vector},
 };
 
@@ -165,6 +168,13 @@ impl Unknowns {
         }
         let reals = ask(&self.with(values))?;
         Ok(reals.iter().map(Real::value).collect::<Vec<f64>>().into())
+    }
+
+    /// A place with zeros where it is nearer to that than rounding, by the size of the start.
+    pub(super) fn beside_zero(&self, values: &[f64]) -> Vec<f64> {
+        let size = self.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let is_zero = |value: f64| value.abs() < PARAMETER_RELATIVE * size;
+        values.iter().map(|&value| if is_zero(value) { 0.0 } else { value }).collect()
     }
 
     /// A place as messages tell it.

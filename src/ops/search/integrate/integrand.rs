@@ -8,7 +8,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        IntegralError, Interval, Jet,
+        IntegralError, IntegralReason, Interval, Jet,
         ceiling::{INTEGRAL_EVALUATIONS, INTEGRAL_LOOKS_OF_SEVERAL},
         find_sized_integral,
     },
@@ -226,7 +226,7 @@ pub(super) fn settled(
             Ok(total.plus(Found::exact(cuts.gain(&mut ask)?)))
         }
         Err(IntegralError::Function(found)) => Err(found),
-        Err(IntegralError::Unsettled { at, error, is_noise: true }) => {
+        Err(IntegralError::Unsettled { at, error, reason: IntegralReason::Noise }) => {
             let message =
                 format!("the function has too few digits for the integral near {}", place(at));
             // A power of ten above.
@@ -236,15 +236,25 @@ pub(super) fn settled(
                 .hint(format!("what it measures may be known within a tolerance only: give `tolerance = {enough:e}`"))
                 .fail()
         }
+        Err(IntegralError::Unsettled { at, reason: IntegralReason::Endless, .. }) => {
+            let message = format!("the integral does not settle near {}", place(at));
+            Diagnostic::error(Code::NoAnswer, span, message)
+                .label("the function grows so fast there that no sum up to it is the last")
+                .hint("no `tolerance` gives it a value: let the range end beside that place")
+                .fail()
+        }
         Err(IntegralError::Unsettled { at, error, .. }) => {
             let message = format!("the integral does not settle near {}", place(at));
-            let left = match error.is_finite() {
-                true => format!("it may be off by {} still", six_digits(error, None)),
-                false => "its value is beyond all numbers".to_owned(),
+            let [left, larger] = match error.is_finite() {
+                true => [
+                    format!("it may be off by {} still", six_digits(error, None)),
+                    ", or give a larger `tolerance`".to_owned(),
+                ],
+                false => ["its value is beyond all numbers".to_owned(), String::new()],
             };
             Diagnostic::error(Code::NoAnswer, span, message)
                 .label(left)
-                .hint("it may have no finite value; else divide the range there, or give a larger `tolerance`")
+                .hint(format!("it may have no finite value; else divide the range there{larger}"))
                 .fail()
         }
     }

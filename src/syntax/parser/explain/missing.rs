@@ -96,11 +96,39 @@ fn keyword(place: &FailurePlace<'_, '_, '_>) -> Diagnostic {
         .expected("an expression")
         .label(format!("`{text}` is a keyword; it begins a statement and cannot name a value"));
     match place.found() {
-        Token::Import => diagnostic.hint(
-            "data are read by `load(\"points.csv\")`; a script is read by a statement, `import \"part.geo\"`, and its definitions are `part.name`",
-        ),
+        Token::Import => diagnostic.hint(read_in_expression(place)),
         _ => diagnostic,
     }
+}
+
+/// How a file is read within an expression: a script with what stands behind `with`, anything else as data.
+fn read_in_expression(place: &FailurePlace<'_, '_, '_>) -> String {
+    let script = place.script;
+    let path = match place.next() {
+        Token::Text => script.text(place.at + 1),
+        _ => "\"part.geo\"",
+    };
+    if !path.ends_with(".geo\"") {
+        return format!("data are read by `load({path})`, a script by `script(\"part.geo\")`");
+    }
+    let mut given = String::new();
+    if script.token(place.at + 2) == Token::With && script.token(place.at + 3) == Token::OpenParen {
+        let first = place.at + 4;
+        let mut depth = 1_usize;
+        let mut end = first;
+        while depth > 0 && script.token(end) != Token::End {
+            match script.token(end) {
+                Token::OpenParen => depth += 1,
+                Token::CloseParen => depth -= 1,
+                _ => {}
+            }
+            end += 1;
+        }
+        if depth == 0 && first + 1 < end {
+            given = format!(", {}", script.source_of(first, end - 1));
+        }
+    }
+    format!("`import` is a statement; in an expression write `script({path}{given})`")
 }
 
 fn name(place: &FailurePlace<'_, '_, '_>) -> Option<Diagnostic> {

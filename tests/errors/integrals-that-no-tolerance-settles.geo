@@ -1,0 +1,11 @@
+unit mm
+print integrate(x => 1/x, 0..1, tolerance = 3)
+print integrate(x => 1/x^1.001, 0..1, tolerance = 3)
+print integrate(x => 1/x, -1..1, tolerance = 3)
+print integrate(x => 1/(x*ln(x)), 0..0.5, tolerance = 0.01)
+print integrate(x => 1mm/x, 0mm..40mm, tolerance = 5mm)
+print integrate(x => 1/abs(x - 0.3), 0..1, tolerance = 1e9)
+print integrate(x => tan(x), 0..3, tolerance = 300)
+print integrate(p => 1/norm(p)^2, region(circle((0, 0), 1)), tolerance = 10)
+print integrate((x, y) => 1/(x*x + y*y), [0..1, 0..1], tolerance = 5)
+print integrate(x => exp(1/x), 0..1, tolerance = 5)
