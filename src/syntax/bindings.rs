@@ -30,7 +30,8 @@ pub struct Binding {
 #[must_use]
 pub fn bindings(source: &str) -> Vec<Binding> {
     let lexed = lex(source, 0);
-    let mut walk = BindingWalk { lexed: &lexed, levels: vec![BracketLevel::default()] };
+    let levels = vec![BracketLevel::default()];
+    let mut walk = BindingWalk { lexed: &lexed, levels, statement: None };
     (0..lexed.tokens.len()).for_each(|at| walk.token(at));
     let mut found: Vec<Binding> =
         walk.levels.into_iter().flat_map(|level| [level.known, level.passing].concat()).collect();
@@ -62,6 +63,8 @@ struct BindingWalk<'l, 's> {
     lexed: &'l Lexed<'s>,
     /// The open brackets, outermost first.
     levels: Vec<BracketLevel>,
+    /// The first token of the statement under way.
+    statement: Option<usize>,
 }
 
 impl BindingWalk<'_, '_> {
@@ -87,11 +90,14 @@ impl BindingWalk<'_, '_> {
                 token,
                 Token::OpenParen | Token::OpenBracket | Token::OpenBrace | Token::Minus
             )
-            && at.checked_sub(1).is_some_and(|before| self.lexed.token(before).ends_expression());
+            && at.checked_sub(1).is_some_and(|before| {
+                self.lexed.token(before).ends_expression() && self.statement != Some(before)
+            });
         if begins_statement || begins_value || token == Token::Semicolon {
             self.end_statement(at);
         }
         if begins_statement {
+            self.statement = Some(at);
             self.statement(at);
         }
         match token {

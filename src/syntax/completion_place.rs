@@ -198,7 +198,7 @@ mod tests {
         assert_eq!(place("print \"a {wi"), CompletionPlace::Name { start: 10 });
         assert_eq!(place("print \"{a} {p.w"), CompletionPlace::Field { start: 14, of: "p" });
         assert!(matches!(place("print \"{a} \\{b"), CompletionPlace::Text { .. }));
-        assert_eq!(place("print \"{p.w:.3"), CompletionPlace::Format { start: 13, of: "p.w" });
+        assert_eq!(place("print \"{p.w:.3"), CompletionPlace::Format { start: 12, of: "p.w" });
         assert_eq!(place("print \"{f({a: b"), CompletionPlace::Name { start: 14 });
         assert_eq!(
             place("interpolate(p, ends = \"nat"),

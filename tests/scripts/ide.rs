@@ -71,7 +71,7 @@ impl Scene {
 #[test]
 fn a_hover_tells_kind_unit_value_and_documentation() {
     let told = scene("/// How wide.\nparam width = 27.2mm\nlet s = wi‸dth + 1mm").hover();
-    assert_eq!(told, "```geo\nparam width\n```\n\n27.2 mm\n\nHow wide.");
+    assert_eq!(told, "```geo\nparam width: length\n```\n\n27.2 mm\n\nHow wide.");
     let told = scene("curve keel = line((0, 0), (30, 40))\nprint kee‸l").hover();
     assert!(told.contains("curve keel") && told.ends_with("length 50 mm"), "{told}");
     let told = scene("print bez‸ier((0, 0), (1, 2), (2, 0))").hover();

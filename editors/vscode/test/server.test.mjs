@@ -132,7 +132,7 @@ test("every kind of request is answered", async (t) => {
   const lenses = await ask(protocol.CodeLensRequest.type, { textDocument: document });
   const run = lenses.filter((one) => one.command.title === "run");
   const told = await ask(protocol.ExecuteCommandRequest.type, run[0].command);
-  assert.deepEqual(told, { passed: true, tests: [{ name: "a", verdict: "passed" }] });
+  assert.deepEqual(told, { passed: true, tests: [{ name: "a", verdict: "passed", reasons: [] }] });
   assert.deepEqual(await ask(protocol.DocumentLinkRequest.type, { textDocument: document }), []);
   const [color] = await ask(protocol.DocumentColorRequest.type, { textDocument: document });
   assert.deepEqual([color.color.red, color.color.green], [1, 0]);
