@@ -71,12 +71,9 @@ pub(crate) struct PlaneEdge {
 
 impl Arrangement {
     /// A vertex in which more than two ends of edges meet, or the start of an edge along which more than
-    /// one ring runs, or one more than once; and the groups there, in order. None where all rings are apart and meet
-    /// nothing but themselves in their joints.
+    /// one ring runs; and the groups there, in order. None where all rings are apart and meet nothing
+    /// but themselves in their joints, or run back along themselves.
     pub(crate) fn knot(&self) -> Option<(DVec3, Vec<usize>)> {
-        if let Some((vertex, group)) = self.repeated {
-            return Some((self.vertices[vertex], vec![group]));
-        }
         let mut n_ends = vec![0; self.vertices.len()];
         self.edges.iter().flat_map(|edge| edge.ends).for_each(|end| n_ends[end] += 1);
         let is_shared = |edge: &&PlaneEdge| !matches!(edge.passes[..], [(_, 1 | -1)]);
@@ -88,5 +85,10 @@ impl Arrangement {
         groups.sort_unstable();
         groups.dedup();
         Some((self.vertices[vertex], groups))
+    }
+
+    /// The start of an edge along which rings of one group run more than once, in either sense, with the group.
+    pub(crate) fn repeated(&self) -> Option<(DVec3, Vec<usize>)> {
+        self.repeated.map(|(vertex, group)| (self.vertices[vertex], vec![group]))
     }
 }

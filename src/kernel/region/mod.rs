@@ -1,11 +1,12 @@
 //! Plane regions: an outer loop and holes, of exact curves.
 //!
 //! This file has the type, its constructors and what can be read off it; `measure` what can be asked of
-//! it, `boolean` unions, intersections, differences and even-odd filling, `offset` what lies within a
+//! it, `checks` what its borders must be, `boolean` unions, intersections, differences and even-odd filling, `offset` what lies within a
 //! distance, `corner` how a border turns, `fillet` rounded corners, `strips` what integrals over it go along. All that cuts borders is an `arrange::Arrangement`.
 
 mod boolean;
 mod cells;
+mod checks;
 mod corner;
 mod error;
 mod fillet;
@@ -17,7 +18,7 @@ use glam::{DAffine3, DVec3};
 
 use crate::{
     Bounds, Frame, GeomError, InputError, Mesh, NurbsCurve, PictureError, Tolerance,
-    arrange::{Apart, Arrangement, Ring, joined, winding_about},
+    arrange::{joined, winding_about},
     curve::facing,
     frame::unit,
     planar_mesh, tessellate_curve,
@@ -88,13 +89,14 @@ impl Region {
             if area.abs() <= distance * length {
                 // An eight goes around as much to the left as to the right.
                 let alone = Self { frame, loops: vec![border] };
-                return Err(match alone.check_borders(distance) {
-                    Err(GeomError::Picture(PictureError::Crossing { point, .. })) => {
-                        PictureError::Crossing { index, other: index, of, point }.into()
+                let refused = match alone.arrangement(distance)?.knot() {
+                    Some((vertex, _)) => {
+                        let point = frame.point(vertex);
+                        PictureError::Crossing { index, other: index, of, point }
                     }
-                    Err(other) => other,
-                    Ok(()) => PictureError::NoArea { index, of }.into(),
-                });
+                    None => PictureError::NoArea { index, of },
+                };
+                return Err(refused.into());
             }
             let is_right = (0.0 < area) == (index == 0);
             loops.push(if is_right { border } else { border.reversed() });
@@ -236,41 +238,6 @@ impl Region {
         };
         let polygons: Result<Vec<_>, GeomError> = self.loops.iter().map(polygon).collect();
         planar_mesh(&polygons?, distance)
-    }
-
-    /// # Errors
-    /// [`PictureError::Crossing`].
-    fn check_borders(&self, distance: f64) -> Result<(), GeomError> {
-        let rings = self.loops.iter().enumerate();
-        let rings: Vec<Ring> =
-            rings.map(|(group, border)| Ring { group, arcs: border.arcs.clone() }).collect();
-        let arrangement = Arrangement::of(&rings, Apart::Nothing, distance, 1)?;
-        match arrangement.knot() {
-            None => Ok(()),
-            Some((vertex, groups)) => {
-                let (index, other) = (groups[0], groups[groups.len() - 1]);
-                let point = self.frame.point(vertex);
-                let of = self.loops.len();
-                Err(PictureError::Crossing { index, other, of, point }.into())
-            }
-        }
-    }
-
-    /// # Errors
-    /// [`PictureError::Outside`], [`PictureError::HoleInHole`].
-    fn check_nesting(&self) -> Result<(), GeomError> {
-        for (index, hole) in self.loops.iter().enumerate().skip(1) {
-            if !self.loops[0].holds(hole)? {
-                return Err(PictureError::Outside { index }.into());
-            }
-            for (other, border) in self.loops.iter().enumerate().skip(1) {
-                let may = index != other && border.bounds_hold(hole, 0.0);
-                if may && border.holds(hole)? {
-                    return Err(PictureError::HoleInHole { index, other }.into());
-                }
-            }
-        }
-        Ok(())
     }
 }
 

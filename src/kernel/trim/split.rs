@@ -89,7 +89,8 @@ impl Face {
             let Cutter::Plane(plane) = cutter else { continue };
             for part in &parts {
                 let height = part.beside(*plane, tolerance)?;
-                if height.abs() <= self.distance(tolerance) {
+                // What is cut off may be as thin.
+                if parts.len() == 1 && height.abs() <= self.distance(tolerance) {
                     let places = part.some_places(tolerance);
                     let point = places.first().copied().unwrap_or(plane.origin());
                     return Err(FaceError::RunsAlong { index, point }.into());

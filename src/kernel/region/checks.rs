@@ -1,0 +1,52 @@
+//! What the borders of a region must be: apart from one another and from themselves, holes within the outer one.
+
+use super::Region;
+use crate::{
+    GeomError, PictureError,
+    arrange::{Apart, Arrangement, Ring},
+};
+
+impl Region {
+    /// Its borders, cut where they meet.
+    ///
+    /// # Errors
+    /// Those of [`Arrangement::of`].
+    pub(super) fn arrangement(&self, distance: f64) -> Result<Arrangement, GeomError> {
+        let rings = self.loops.iter().enumerate();
+        let rings: Vec<Ring> =
+            rings.map(|(group, border)| Ring { group, arcs: border.arcs.clone() }).collect();
+        Arrangement::of(&rings, Apart::Nothing, distance, 1)
+    }
+
+    /// # Errors
+    /// [`PictureError::Crossing`].
+    pub(super) fn check_borders(&self, distance: f64) -> Result<(), GeomError> {
+        let arrangement = self.arrangement(distance)?;
+        match arrangement.knot().or_else(|| arrangement.repeated()) {
+            None => Ok(()),
+            Some((vertex, groups)) => {
+                let (index, other) = (groups[0], groups[groups.len() - 1]);
+                let point = self.frame.point(vertex);
+                let of = self.loops.len();
+                Err(PictureError::Crossing { index, other, of, point }.into())
+            }
+        }
+    }
+
+    /// # Errors
+    /// [`PictureError::Outside`], [`PictureError::HoleInHole`].
+    pub(super) fn check_nesting(&self) -> Result<(), GeomError> {
+        for (index, hole) in self.loops.iter().enumerate().skip(1) {
+            if !self.loops[0].holds(hole)? {
+                return Err(PictureError::Outside { index }.into());
+            }
+            for (other, border) in self.loops.iter().enumerate().skip(1) {
+                let may = index != other && border.bounds_hold(hole, 0.0);
+                if may && border.holds(hole)? {
+                    return Err(PictureError::HoleInHole { index, other }.into());
+                }
+            }
+        }
+        Ok(())
+    }
+}
