@@ -1,8 +1,9 @@
 //! `virote study`: a script with many values of its parameters, a row of results for each.
 
+mod tally;
+
 use std::{
     cell::Cell,
-    collections::BTreeMap,
     fs,
     io::Write,
     path::{Path, PathBuf},
@@ -11,6 +12,7 @@ use std::{
 
 use clap::Args;
 use serde_json::{Map, Value as Json, json};
+use tally::Tally;
 
 use super::{
     exit_status::ExitStatus,
@@ -29,7 +31,7 @@ use crate::{
     limits::work::StopToken,
     session::Session,
     study::{
-        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, Row, RowMaker, STOPPED,
+        Evaluation, Journal, KeptFiles, Plan, ResultColumns, ResultFormat, RowMaker, STOPPED,
         StudyPictures, VariedParameter, checksum, contact_sheets, in_order, write_results,
     },
 };
@@ -377,28 +379,6 @@ fn unwritten(asked: &StudyOptions, why: &str) -> String {
         asked.out.display(),
         unfinished(&asked.out).display()
     )
-}
-
-/// How rows came out.
-#[derive(Default)]
-struct Tally {
-    /// Without an error, but with a check that fails.
-    n_failed: u64,
-    /// By their codes.
-    errors: BTreeMap<String, u64>,
-}
-
-impl Tally {
-    fn add(&mut self, row: &Row) {
-        if let Some(Json::String(code)) = row.get("code") {
-            *self.errors.entry(code.clone()).or_default() += 1;
-        } else {
-            let fails = |(title, cell): (&String, &Json)| {
-                title.starts_with("check ") && *cell == json!(false)
-            };
-            self.n_failed += u64::from(row.iter().any(fails));
-        }
-    }
 }
 
 /// Reads `10s`, `500ms` or `2min`.

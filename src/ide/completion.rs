@@ -2,7 +2,10 @@
 
 use std::{collections::BTreeSet, ops::Range};
 
-use super::{DefinedName, Document, NameRole, Values, hover, wanted_types::WantedTypes};
+use super::{
+    DefinedName, Document, NameRole, Values, completion_spot::CompletionSpot, hover,
+    wanted_types::WantedTypes,
+};
 use crate::{
     docs, eval,
     kernel::sorting::sort_by,
@@ -121,15 +124,6 @@ impl Completion {
         let page = is_built_in.then(|| docs::markdown(registry, &self.label)).flatten();
         page.unwrap_or_else(|| self.docs.clone())
     }
-}
-
-/// What completion looks at.
-pub(super) struct CompletionSpot<'a> {
-    pub(super) document: &'a Document,
-    pub(super) session: &'a Session,
-    pub(super) registry: &'a Registry,
-    pub(super) values: Option<&'a Values>,
-    pub(super) at: usize,
 }
 
 impl Document {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{
     Completion, CompletionKind,
-    completion::CompletionSpot,
+    completion_spot::CompletionSpot,
     signature::active_parameter,
     wanted_types::{WantedTypes, elements, type_of},
 };

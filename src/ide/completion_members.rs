@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{
-    Completion, CompletionKind, DefinedName, NameRole, Outline, completion::CompletionSpot,
+    Completion, CompletionKind, DefinedName, NameRole, Outline, completion_spot::CompletionSpot,
     owner::Owner, wanted_types::WantedTypes,
 };
 use crate::{

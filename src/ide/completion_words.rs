@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{
     Completion, CompletionKind, DefinedName, FolderEntry, NameRole, Outline,
-    completion::CompletionSpot, hover, owner::Owner, signature::left_to_give,
+    completion_spot::CompletionSpot, hover, owner::Owner, signature::left_to_give,
 };
 use crate::{
     diag::Code,

@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use super::{DefinedName, Document, NameRole, Values, completion::CompletionSpot, names::Meaning};
+use super::{
+    DefinedName, Document, NameRole, Values, completion_spot::CompletionSpot, names::Meaning,
+};
 use crate::{
     docs, eval,
     session::Session,

@@ -9,6 +9,7 @@ mod colors;
 mod completion;
 mod completion_fit;
 mod completion_members;
+mod completion_spot;
 mod completion_words;
 mod diagnostics;
 mod edits;

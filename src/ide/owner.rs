@@ -3,7 +3,9 @@
 
 use std::ops::Range;
 
-use super::{DefinedName, NameRole, Values, completion::CompletionSpot, wanted_types::type_of};
+use super::{
+    DefinedName, NameRole, Values, completion_spot::CompletionSpot, wanted_types::type_of,
+};
 use crate::{
     syntax::{
         self,

@@ -1,6 +1,8 @@
 //! Signatures of a call while its arguments are written.
 
-use super::{Document, NameRole, Outline, Values, completion::CompletionSpot, hover, owner::Owner};
+use super::{
+    Document, NameRole, Outline, Values, completion_spot::CompletionSpot, hover, owner::Owner,
+};
 use crate::{
     docs,
     kernel::sorting::sort_by_key,

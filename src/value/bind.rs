@@ -3,12 +3,12 @@
 //! Required parameters take arguments by position or by name, optional ones by name only. One
 //! call yields one diagnostic, with a label for each mistake and the signature as a hint.
 
-use std::{collections::HashMap, sync::Arc};
+use std::sync::Arc;
 
 use super::{
     FromValue, Mismatch, Op, OpParameter, Type, Value,
     affine::varies,
-    bind_names::{half_of, meant_by, only_missing},
+    bind_names::{ParameterPlaces, half_of, meant_by, only_missing},
     element::element_span,
     misplaced,
     variation::looked_at,
@@ -121,26 +121,6 @@ impl Mistakes {
 
 /// Mistakes of one call that are told one by one; the rest is counted.
 const MOST_TOLD: usize = 20;
-
-/// Parameters by name.
-struct ParameterPlaces<'f>(Option<HashMap<&'f str, usize>>);
-
-impl<'f> ParameterPlaces<'f> {
-    /// An index where it pays: with many parameters and many arguments by name.
-    fn of(formals: &[FormalParameter<'f>], n_named: usize) -> Self {
-        /// Arguments up to which one looks through the parameters for each.
-        const FEW: usize = 16;
-        let places = || formals.iter().enumerate().rev().map(|(idx, formal)| (formal.name, idx));
-        Self((FEW < n_named).then(|| places().collect()))
-    }
-
-    fn find(&self, formals: &[FormalParameter<'_>], name: &str) -> Option<usize> {
-        match &self.0 {
-            Some(places) => places.get(name).copied(),
-            None => formals.iter().position(|formal| *formal.name == *name),
-        }
-    }
-}
 
 /// Hands the arguments of `call` to `formals`: one slot a parameter, empty where it was left out.
 pub fn assign(

@@ -1,10 +1,32 @@
 //! Which parameter is meant by the name of an argument that none has.
 
+use std::collections::HashMap;
+
 use super::{FormalParameter, Value};
 use crate::diag::{Spanned, nearest};
 
 /// Names that a misspelt one is compared with.
 const MOST_NAMES: usize = 1000;
+
+/// Parameters by name.
+pub(super) struct ParameterPlaces<'f>(Option<HashMap<&'f str, usize>>);
+
+impl<'f> ParameterPlaces<'f> {
+    /// An index where it pays: with many parameters and many arguments by name.
+    pub(super) fn of(formals: &[FormalParameter<'f>], n_named: usize) -> Self {
+        /// Arguments up to which one looks through the parameters for each.
+        const FEW: usize = 16;
+        let places = || formals.iter().enumerate().rev().map(|(idx, formal)| (formal.name, idx));
+        Self((FEW < n_named).then(|| places().collect()))
+    }
+
+    pub(super) fn find(&self, formals: &[FormalParameter<'_>], name: &str) -> Option<usize> {
+        match &self.0 {
+            Some(places) => places.get(name).copied(),
+            None => formals.iter().position(|formal| *formal.name == *name),
+        }
+    }
+}
 
 /// The required parameter that a value may be meant for, where it is the only one that nothing is given for.
 pub(super) fn only_missing(

@@ -11,7 +11,7 @@ use crate::{
     frame::norm,
     side_by_side,
     sorting::sort_by,
-    tolerance::{PARAMETER_RELATIVE, VERTEX_REACH},
+    tolerance::{ONE_PLACE_SHARE, PARAMETER_RELATIVE, VERTEX_REACH},
 };
 
 /// Tolerances within which edges with the same ends are one: each may be one away from the middle.
@@ -138,12 +138,20 @@ impl Arrangement {
                 continue;
             };
             let start = merged[other].ends[0];
+            // Two arcs that touch at a small angle are near one another there, but not one.
+            let is_one = {
+                let middle = edge.curve.point_at(edge.curve.domain().at(0.5));
+                merged[other].curve.closest(middle, self.tolerance).distance
+                    <= ONE_PLACE_SHARE * self.tolerance
+            };
             let passes = &mut merged[other].passes;
             for (group, times) in edge.passes {
                 match passes.iter_mut().find(|pass| pass.0 == group) {
                     Some(pass) => {
                         pass.1 += sense * times;
-                        self.repeated.get_or_insert((start, group));
+                        if is_one {
+                            self.repeated.get_or_insert((start, group));
+                        }
                     }
                     None => passes.push((group, sense * times)),
                 }

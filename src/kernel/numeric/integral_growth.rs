@@ -7,7 +7,10 @@
 use super::integral_piece::{IntegrationInterval, piece};
 use crate::{
     sorting::sort_by,
-    tolerance::{INTEGRAL_SUSPECT_RELATIVE, INTEGRAL_TAIL_LEAST, INTEGRAL_WIDTH_RELATIVE},
+    tolerance::{
+        INTEGRAL_END_SHARE, INTEGRAL_NEAR_SHARE, INTEGRAL_SUSPECT_RELATIVE, INTEGRAL_TAIL_LEAST,
+        INTEGRAL_WIDTH_RELATIVE,
+    },
 };
 
 /// Parts of the way to a place, by equal factors.
@@ -16,9 +19,8 @@ const PARTS: usize = 4;
 /// How often the way is halved, by its powers, where the function fails at its near end.
 const SHORTENINGS: usize = 3;
 
-/// How near to a place a function is asked first, as a share of the way, and the power of the distance by which its size
-/// times the distance falls there, if that is enough: rules are then not off by more than they tell.
-const NEAR_SHARE: f64 = 1e-6;
+/// The power of the distance by which the size of a function times the distance falls near a place, if that is enough:
+/// rules are then not off by more than they tell.
 const CLEAR_POWER: f64 = 0.5;
 
 /// Spacings of numbers to a place that are left out.
@@ -31,9 +33,6 @@ const GROWTHS: [(i32, f64); 2] = [(7, 3.0), (14, 100.0)];
 
 /// Times that it is halved at most: to the spacing of numbers near a place that is not zero.
 const HALVINGS: i32 = 60;
-
-/// The share of a piece next to its end that counts as the end.
-const AT_END: f64 = 1e-3;
 
 /// How many times more nodes the finer of two rules has.
 const FINER: f64 = 2.0;
@@ -145,7 +144,7 @@ impl IntegralGrowth {
             return Ok(None);
         }
         let Some(peak) = peak(size_at, piece) else { return Ok(None) };
-        let near = AT_END * (to - from);
+        let near = INTEGRAL_END_SHARE * (to - from);
         let nearest = if peak - from < to - peak { from } else { to };
         let is_at_end = (peak - nearest).abs() <= near;
         let at = if is_at_end { nearest } else { peak };
@@ -241,7 +240,7 @@ impl Tail {
     /// near it.
     fn towards(size_at: &mut impl FnMut(f64) -> Option<f64>, at: f64, reach: f64) -> Option<Self> {
         let last = (SPACINGS * spacing(at)).max(INTEGRAL_WIDTH_RELATIVE * reach.abs());
-        let first = last.max(NEAR_SHARE * reach.abs());
+        let first = last.max(INTEGRAL_NEAR_SHARE * reach.abs());
         // Nearer by an integral of integrals takes long to ask.
         let seen = Self::down_to(first, size_at, at, reach)
             .filter(|tail| CLEAR_POWER * tail.part < tail.last());

@@ -1,5 +1,7 @@
 //! What the borders of a region must be: apart from one another and from themselves, holes within the outer one.
 
+use glam::DVec3;
+
 use super::Region;
 use crate::{
     GeomError, PictureError,
@@ -21,8 +23,20 @@ impl Region {
     /// # Errors
     /// [`PictureError::Crossing`].
     pub(super) fn check_borders(&self, distance: f64) -> Result<(), GeomError> {
+        self.check_apart(self.arrangement(distance)?.knot())
+    }
+
+    /// The same of borders that are given, which do not run along themselves either.
+    ///
+    /// # Errors
+    /// [`PictureError::Crossing`].
+    pub(super) fn check_given_borders(&self, distance: f64) -> Result<(), GeomError> {
         let arrangement = self.arrangement(distance)?;
-        match arrangement.knot().or_else(|| arrangement.repeated()) {
+        self.check_apart(arrangement.knot().or_else(|| arrangement.repeated()))
+    }
+
+    fn check_apart(&self, meeting: Option<(DVec3, Vec<usize>)>) -> Result<(), GeomError> {
+        match meeting {
             None => Ok(()),
             Some((vertex, groups)) => {
                 let (index, other) = (groups[0], groups[groups.len() - 1]);

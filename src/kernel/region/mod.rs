@@ -102,7 +102,7 @@ impl Region {
             loops.push(if is_right { border } else { border.reversed() });
         }
         let region = Self { frame, loops };
-        region.check_borders(distance)?;
+        region.check_given_borders(distance)?;
         region.check_nesting()?;
         Ok(region)
     }

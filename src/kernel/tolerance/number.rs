@@ -293,3 +293,13 @@ pub(crate) const TRAJECTORY_LOOK_SHARE: f64 = 1e-3;
 ///
 /// Larger makes bounds of sines wider than need be; smaller misses peaks by rounding.
 pub(crate) const TURN_ROOM: f64 = 1e-9;
+
+/// How near to a place at which an integrand may grow without bound it is asked first, as a share of the way there.
+///
+/// Larger looks where other terms still count; smaller sees rounding alone beside places that are not zero.
+pub(crate) const INTEGRAL_NEAR_SHARE: f64 = 1e-6;
+
+/// The share of a piece of an integral next to its end that counts as the end.
+///
+/// Larger takes bends inside for what happens at the end; smaller misses places a little inside of it.
+pub(crate) const INTEGRAL_END_SHARE: f64 = 1e-3;

@@ -14,3 +14,4 @@ check not good([1, 2])
 check len(xs) > 9
 fn endless(n) = if n > 0 then false else endless(n)
 check endless(1)
+print 1 / 0
