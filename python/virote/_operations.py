@@ -4430,7 +4430,7 @@ def solid(g: Surface | Face | Solid | Sequence[Surface | Face], *, cap: bool | N
     return _called("solid", (), {"g": g, "cap": cap})  # type: ignore[no-any-return]
 
 
-def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, start: Any = None, all: bool | None = None, report: bool | None = None) -> Any:
+def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tuple[Quantity, Quantity]] | dict[str, Any] | None = None, start: Any = None, all: bool | None = None, report: bool | None = None) -> Any:
     """Number within a range at which a function is zero: `solve(h => volume(bottle(h)) - 0.75e6, within = 10cm..40cm)`.
 
     Where the function has different signs at both ends, the root between them is found in some ten steps, as
@@ -4453,16 +4453,16 @@ def solve(f: FunctionLike, *, within: tuple[Quantity, Quantity] | None = None, s
     From a `start` instead of a range, the unknowns may be a number, a point, or a list or record of such,
     and the function yields as many numbers or more, each of which is to be zero: of more than there are
     unknowns the squares are made least. Steps to where the function has no value are taken shorter. The search may
-    end at another root than the nearest one. Moré,
-    *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
+    end at another root than the nearest one; with `within` beside the start the unknowns stay between those bounds.
+    Moré, *The Levenberg-Marquardt algorithm*, LNM 630 (1978).
 
     :param f: A function of the unknown that yields what is to be zero; both may have a dimension.
-    :param within: The range in which the root is.
-    :param start: Where the search begins, instead of a range.
+    :param within: The range in which the root is; beside a start also a list or record of ranges for several unknowns, or one for all of them. Unknowns of a record that it does not name are free, and so is what is left out of a point.
+    :param start: Where the search begins, inside of `within` where there is that; of one number in a range there is none.
     :param all: Whether all roots are wanted, as a list; without it one is. Default: ``false``.
     :param report: Whether a record tells how it was found: `root`, the `residual` there, of several numbers the largest, with a unit where they have one together, `evaluations`, and whether it is `proven`: that a root is there, and with `all` that there is no other. Default: ``false``.
 
-    In scripts: ``solve(f: function, within: range = none, start: any = none, all: bool = false, report: bool = false) -> any``
+    In scripts: ``solve(f: function, within: range | list of ranges | record = none, start: any = none, all: bool = false, report: bool = false) -> any``
     """
     return _called("solve", (), {"f": f, "within": within, "start": start, "all": all, "report": report})
 
