@@ -11,7 +11,7 @@ use crate::tolerance::DIFFERENCE_RELATIVE;
 ///     let gradients = (wanted == Wanted::Gradients).then(|| vec![vec![2.0 * x[0]]]);
 ///     Ok::<_, ()>(Answers { values: vec![x[0] * x[0] - 2.0], gradients })
 /// };
-/// let found = find_least_squares(functions, &[1.0])?;
+/// let found = find_least_squares(functions, &[1.0], &[])?;
 /// assert!((found.unknowns[0] - 2_f64.sqrt()).abs() < 1e-15);
 /// # Ok::<(), ()>(())
 /// ```
