@@ -4,27 +4,11 @@
 //! does not fall to zero the integral has no value, however little two rules differ, and where it falls slowly they tell
 //! little of what both miss.
 
-use super::integral_piece::{IntegrationInterval, piece};
-use crate::{
-    sorting::sort_by,
-    tolerance::{
-        INTEGRAL_END_SHARE, INTEGRAL_NEAR_SHARE, INTEGRAL_SUSPECT_RELATIVE, INTEGRAL_TAIL_LEAST,
-        INTEGRAL_WIDTH_RELATIVE,
-    },
+use super::{
+    integral_piece::{IntegrationInterval, piece},
+    integral_tail::{SPACINGS, Tail, spacing},
 };
-
-/// Parts of the way to a place, by equal factors.
-const PARTS: usize = 4;
-
-/// How often the way is halved, by its powers, where the function fails at its near end.
-const SHORTENINGS: usize = 3;
-
-/// The power of the distance by which the size of a function times the distance falls near a place, if that is enough:
-/// rules are then not off by more than they tell.
-const CLEAR_POWER: f64 = 0.5;
-
-/// Spacings of numbers to a place that are left out.
-const SPACINGS: f64 = 64.0;
+use crate::tolerance::{INTEGRAL_END_SHARE, INTEGRAL_SUSPECT_RELATIVE};
 
 /// Times that a step is halved until it is seen whether a function grows without bound, and by how many times it has
 /// grown then at least where its integral has no value: near a simple pole by five, where a node is beside it already,
@@ -34,12 +18,6 @@ const GROWTHS: [(i32, f64); 2] = [(7, 3.0), (14, 100.0)];
 /// Times that it is halved at most: to the spacing of numbers near a place that is not zero.
 const HALVINGS: i32 = 60;
 
-/// How many times more nodes the finer of two rules has.
-const FINER: f64 = 2.0;
-
-/// How many times larger errors of rules are that have few nodes than those of many tell, at most.
-const TAIL_MARGIN: f64 = 1.25;
-
 /// The distance of nodes in the middle of a piece, as a part of it.
 const NODES_APART: f64 = 8.0;
 
@@ -48,13 +26,20 @@ pub(super) struct Divergence {
     pub(super) at: f64,
 }
 
-/// A place at an end of pieces, and by which factor their errors are larger there than the differences of two rules tell;
-/// none where that was not asked.
+/// A place at an end of pieces, and how the function grows towards it; none where that was not asked.
 struct SingularEnd {
     at: f64,
     /// At which end of a piece it is.
     side: usize,
-    factor: Option<f64>,
+    seen: Option<SeenTail>,
+}
+
+/// What rules do not tell of pieces that end at a place.
+struct SeenTail {
+    /// By how many times their errors are larger.
+    factor: f64,
+    /// The function's size times the distance, at some distances, that are to be nearer than a node to count.
+    gains: Vec<[f64; 2]>,
 }
 
 /// How the function grows towards the ends of an integral, and towards places inside.
@@ -62,7 +47,7 @@ pub(super) struct IntegralGrowth(Vec<SingularEnd>);
 
 impl IntegralGrowth {
     pub(super) fn new(interval: [f64; 2]) -> Self {
-        let end = |side: usize| SingularEnd { at: interval[side], side, factor: None };
+        let end = |side: usize| SingularEnd { at: interval[side], side, seen: None };
         Self(vec![end(0), end(1)])
     }
 
@@ -89,12 +74,12 @@ impl IntegralGrowth {
                 continue;
             }
             for end in &mut self.0 {
-                if end.factor.is_none() && end.is_of(one) {
+                if end.seen.is_none() && end.is_of(one) {
                     let reach = one.outer_nodes()[end.side] - end.at;
-                    let factor = error_factor(&mut size_at, end.at, reach)?;
-                    end.factor = Some(factor);
-                    one.error *= factor;
-                    is_larger |= 1.0 < factor;
+                    end.seen = Some(seen_tail(&mut size_at, end.at, reach)?);
+                    let before = one.error;
+                    one.error = end.error(one);
+                    is_larger |= before < one.error;
                 }
             }
         }
@@ -151,17 +136,20 @@ impl IntegralGrowth {
         if self.0.iter().any(|end| end.at.to_bits() == at.to_bits()) {
             return Ok(None);
         }
-        let left = error_factor(size_at, at, -near)?;
-        let right = error_factor(size_at, at, near)?;
-        self.0.push(SingularEnd { at, side: 1, factor: Some(left) });
-        self.0.push(SingularEnd { at, side: 0, factor: Some(right) });
+        for (side, reach) in [(1, -near), (0, near)] {
+            let seen = Some(seen_tail(size_at, at, reach)?);
+            self.0.push(SingularEnd { at, side, seen });
+        }
         Ok(Some(at))
     }
 
     /// Makes the error of a new piece beside such a place as large as it may be.
     pub(super) fn weigh(&self, piece: &mut IntegrationInterval) {
-        let factors = self.0.iter().filter(|end| end.is_of(piece)).filter_map(|end| end.factor);
-        piece.error *= factors.product::<f64>();
+        for end in &self.0 {
+            if end.is_of(piece) {
+                piece.error = end.error(piece);
+            }
+        }
     }
 }
 
@@ -185,18 +173,29 @@ impl SingularEnd {
     fn is_of(&self, piece: &IntegrationInterval) -> bool {
         piece.interval[self.side].to_bits() == self.at.to_bits()
     }
+
+    /// The error of a piece that ends there.
+    fn error(&self, piece: &IntegrationInterval) -> f64 {
+        let Some(SeenTail { factor, gains }) = &self.seen else { return piece.error };
+        let node = (piece.outer_nodes()[self.side] - self.at).abs();
+        let unseen = gains.iter().filter(|[distance, _]| *distance < node);
+        unseen.fold(factor * piece.error, |error, [_, gain]| error.max(*gain))
+    }
 }
 
-/// How many times larger the error of a rule is than two of them tell, up to a place.
-fn error_factor(
+/// What rules do not tell up to a place, from so far beside it.
+fn seen_tail(
     size_at: &mut impl FnMut(f64) -> Option<f64>,
     at: f64,
     reach: f64,
-) -> Result<f64, Divergence> {
-    match Tail::towards(size_at, at, reach) {
-        Some(tail) if tail.is_endless() => Err(Divergence { at }),
-        tail => Ok(tail.map_or(1.0, |tail| tail.error_factor())),
+) -> Result<SeenTail, Divergence> {
+    let Some(tail) = Tail::towards(size_at, at, reach) else {
+        return Ok(SeenTail { factor: 1.0, gains: Vec::new() });
+    };
+    if tail.is_endless() {
+        return Err(Divergence { at });
     }
+    Ok(SeenTail { factor: tail.error_factor(), gains: tail.gains })
 }
 
 /// The place in a piece towards which a function grows without bound, as far as a thousandth of the way shows; where it
@@ -227,114 +226,16 @@ fn peak(size_at: &mut impl FnMut(f64) -> Option<f64>, piece: &IntegrationInterva
     Some(at)
 }
 
-/// How the function's size times the distance falls towards a place.
-struct Tail {
-    /// The logarithm of its fall over each part of the way.
-    falls: Vec<f64>,
-    /// That of the length of one part.
-    part: f64,
-}
-
-impl Tail {
-    /// From so far beside a place, as near as numbers go if it takes that to see it fall; none where the function fails
-    /// near it.
-    fn towards(size_at: &mut impl FnMut(f64) -> Option<f64>, at: f64, reach: f64) -> Option<Self> {
-        let last = (SPACINGS * spacing(at)).max(INTEGRAL_WIDTH_RELATIVE * reach.abs());
-        let first = last.max(INTEGRAL_NEAR_SHARE * reach.abs());
-        // Nearer by an integral of integrals takes long to ask.
-        let seen = Self::down_to(first, size_at, at, reach)
-            .filter(|tail| CLEAR_POWER * tail.part < tail.last());
-        seen.or_else(|| Self::down_to(last, size_at, at, reach))
-    }
-
-    /// Down to a distance, or a larger one where the function fails there.
-    fn down_to(
-        mut nearest: f64,
-        size_at: &mut impl FnMut(f64) -> Option<f64>,
-        at: f64,
-        reach: f64,
-    ) -> Option<Self> {
-        let mut gains_at = |distance: f64| {
-            let size = size_at(at + distance.copysign(reach))?;
-            Some(size * distance).filter(|gain| gain.is_finite())
-        };
-        for _ in 0..SHORTENINGS {
-            if gains_at(nearest).is_some() {
-                break;
-            }
-            nearest = (nearest * reach.abs()).sqrt();
-        }
-        let part = libm::log(reach.abs() / nearest) / PARTS as f64;
-        let distance = |k: usize| reach.abs() * libm::exp(-part * k as f64);
-        let gains: Option<Vec<f64>> = (0..=PARTS).map(|k| gains_at(distance(k))).collect();
-        Some(Self::of(&gains?, part)).filter(|_| 0.0 < part)
-    }
-
-    /// From what pieces on one side of a place gained, in any order; none where they are too few.
-    fn known<'p>(
-        at: f64,
-        side: f64,
-        pieces: impl Iterator<Item = &'p IntegrationInterval>,
-    ) -> Option<Self> {
-        let mut gains: Vec<[f64; 2]> = Vec::new();
-        for piece in pieces {
-            let [from, to] = piece.interval.map(|end| side * (end - at));
-            let (near, far) = (from.min(to), from.max(to));
-            if 0.0 < near {
-                let width = libm::log(far / near);
-                gains.push([libm::log(near) + 0.5 * width, piece.size / width]);
-            }
-        }
-        sort_by(&mut gains, |a, b| b[0].total_cmp(&a[0]));
-        let (farthest, nearest) = (gains.first()?[0], gains.last()?[0]);
-        let part = (farthest - nearest) / PARTS as f64;
-        let gain_at = |k: usize| {
-            let place = farthest - part * k as f64;
-            let behind = gains.iter().find(|gain| gain[0] <= place).or(gains.last());
-            behind.map_or(0.0, |gain| gain[1])
-        };
-        let gains: Vec<f64> = (0..=PARTS).map(gain_at).collect();
-        (PARTS as f64 <= part).then(|| Self::of(&gains, part))
-    }
-
-    fn of(gains: &[f64], part: f64) -> Self {
-        let fall = |pair: &[f64]| match pair {
-            [before, behind] if 0.0 < *behind => libm::log(before / behind),
-            _ => f64::INFINITY,
-        };
-        Self { falls: gains.windows(2).map(fall).collect(), part }
-    }
-
-    /// Whether the sum of all gains has no end, or has not as far as numbers go: it falls by no power of the distance, or by
-    /// hardly more than one of the logarithm.
-    fn is_endless(&self) -> bool {
-        PARTS as f64 * self.last() < INTEGRAL_TAIL_LEAST
-    }
-
-    /// The fall over the nearest part.
-    fn last(&self) -> f64 {
-        self.falls.last().copied().unwrap_or(f64::INFINITY)
-    }
-
-    /// How many times larger the error of a rule is than its difference to one with fewer nodes: both fall short by a
-    /// power of the number of nodes that is twice that of the distance.
-    fn error_factor(&self) -> f64 {
-        let finer = libm::pow(FINER, 2.0 * self.last() / self.part);
-        (TAIL_MARGIN / (finer - 1.0)).max(1.0)
-    }
-}
-
 fn magnitude(value: &[f64]) -> f64 {
     value.iter().fold(0.0, |most: f64, part| most.max(part.abs()))
 }
 
-fn spacing(at: f64) -> f64 {
-    at.abs().next_up() - at.abs()
-}
-
 #[cfg(test)]
 mod tests {
-    use crate::numeric::integral::{Integral, IntegralError, IntegralReason, find_integral};
+    use crate::numeric::{
+        integral::{Integral, find_integral},
+        integral_error::{IntegralError, IntegralReason},
+    };
 
     fn within(
         function: fn(f64) -> f64,
@@ -363,6 +264,19 @@ mod tests {
                 };
                 assert_eq!(reason, IntegralReason::Endless, "at {place} within {tolerance}");
                 assert!((at - place).abs() < 1e-9, "{at}, not {place}");
+            }
+        }
+    }
+
+    #[test]
+    fn peaks_between_nodes_are_seen_that_grow_towards_their_top() {
+        for width in [1e-3, 1e-6, 1e-9, 1e-12] {
+            let peak = |x: f64| Ok::<_, ()>(vec![width / (x * x + width * width)]);
+            for interval in [[-1.0, 1.0], [0.0, 1.0], [-0.3, 1.0]] {
+                let found = find_integral(peak, interval, 1e-12, 0.01).expect("an integral");
+                let [from, to] = interval.map(|end: f64| libm::atan(end / width));
+                let off = (found.value[0] - (to - from)).abs();
+                assert!(off < 0.01, "{} of {width} over {interval:?}", found.value[0]);
             }
         }
     }

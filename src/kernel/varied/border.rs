@@ -13,7 +13,8 @@ use crate::{
     GeomError, Interval, LocalError, PictureError, Region,
     numeric::{
         gauss_legendre::{SIXTEEN_NODES, nodes},
-        integral::{IntegralError, find_integral},
+        integral::find_integral,
+        integral_error::IntegralError,
     },
     tolerance::{GRADIENT_RELATIVE, KNOT_RELATIVE},
 };

@@ -5,7 +5,7 @@ use glam::{DVec3, DVec4};
 use super::VariedCurve;
 use crate::{
     GeomError, Interval, Jet, LocalError,
-    numeric::integral::{IntegralError, find_integral},
+    numeric::{integral::find_integral, integral_error::IntegralError},
     tolerance::{GRADIENT_RELATIVE, LAST_BIT},
 };
 
