@@ -6,6 +6,22 @@
 /// rounding.
 pub const NORMAL_STEP: f64 = 1e-6;
 
+/// What rounding may leave in a curvature, over the size of the surface there, without the place being looked at from
+/// a pole beside it.
+///
+/// Larger answers beside poles with fewer digits; smaller asks for derivatives of high order where all digits are there.
+pub(crate) const CLEAR_SHAPE: f64 = 1e-9;
+
+/// How near to a collapsed edge, as a share of the piece, a surface's shape is told by the series at the edge.
+///
+/// Larger asks for series that take more terms than there are; smaller leaves the digits that rounding takes there.
+pub(crate) const NEAR_POLE_SHARE: f64 = 1.0 / 64.0;
+
+/// The share of a series that its last term is at most.
+///
+/// Larger answers with what the series lacks; smaller leaves what rounding takes from derivatives at the place.
+pub(crate) const NEAR_POLE_REST: f64 = 1e-13;
+
 /// Terms of a normal's expansion at a singular place point one way when their unit vectors are
 /// nearer than this.
 ///

@@ -5,6 +5,7 @@ pub(super) mod evaluator;
 pub(super) mod expansion;
 pub(super) mod grid_eval;
 pub(super) mod iso;
+pub(super) mod near_pole;
 pub(super) mod normal;
 pub(super) mod pole;
 pub(super) mod two_sided;

@@ -8,7 +8,7 @@ use crate::{
     Frame, GeomError, Grid, LocalError, MeasureError, Side, Tolerance,
     frame::{norm, unit},
     surface::{Surface, SurfacePointKind, SurfaceShape},
-    tolerance::VANISHING_RELATIVE,
+    tolerance::{CLEAR_SHAPE, VANISHING_RELATIVE},
 };
 
 /// Order across a collapsed edge of the last derivatives in which a direction is looked for.
@@ -28,9 +28,14 @@ impl Surface {
         match self.regular_normal(&derivatives, u, v) {
             Some(normal) => {
                 let shape = SurfaceShape::new(&derivatives, normal, self.widths_at(u, v));
-                shape.ok_or(GeomError::Local(LocalError::NoCurvature { u, v }))
+                let is_clear = |shape: &SurfaceShape| shape.rounding * shape.extent <= CLEAR_SHAPE;
+                shape
+                    .filter(is_clear)
+                    .or_else(|| self.shape_near_pole(u, v))
+                    .or(shape)
+                    .ok_or(GeomError::Local(LocalError::NoCurvature { u, v }))
             }
-            None => self.pole_shape(u, v),
+            None => self.shape_near_pole(u, v).map_or_else(|| self.pole_shape(u, v), Ok),
         }
     }
 
