@@ -64,11 +64,17 @@ impl AskedPlace<'_> {
         if let Ok(shape) = surface.shape_at(u, v) {
             let principal = shape.principal(self.tolerance);
             let units = &self.units;
+            // Rounding is no curvature.
+            let (none, most) = (shape.rounding(), principal.k1.abs().max(principal.k2.abs()));
+            let settled = |value: f64, none: f64| if value.abs() <= none { 0.0 } else { value };
+            let [k1, k2, mean] =
+                [principal.k1, principal.k2, shape.mean()].map(|value| settled(value, none));
+            let gauss = settled(shape.gaussian(), none * most);
             facts = vec![
-                Fact::number("k1", "smallest principal curvature", principal.k1, units.curvature()),
-                Fact::number("k2", "largest principal curvature", principal.k2, units.curvature()),
-                Fact::number("gauss", "Gaussian curvature", shape.gaussian(), units.gaussian()),
-                Fact::number("mean", "mean curvature", shape.mean(), units.curvature()),
+                Fact::number("k1", "smallest principal curvature", k1, units.curvature()),
+                Fact::number("k2", "largest principal curvature", k2, units.curvature()),
+                Fact::number("gauss", "Gaussian curvature", gauss, units.gaussian()),
+                Fact::number("mean", "mean curvature", mean, units.curvature()),
                 Fact::vector("d1", "direction of the smallest", principal.d1),
                 Fact::vector("d2", "direction of the largest", principal.d2),
             ];

@@ -6,8 +6,11 @@ use crate::{
     eval::{Schema, SchemaParameter},
     limits::Limits,
     session::Session,
-    syntax::{self, ast::StatementKind},
-    value::{Dimension, Files, Value},
+    syntax::{
+        self,
+        ast::{ExprKind, StatementKind, Unit},
+    },
+    value::{Dimension, Files, NoFiles, Value, shortest_in},
 };
 
 /// The script with other defaults.
@@ -25,9 +28,13 @@ pub(crate) fn rewritten(
     let mut new = text.to_owned();
     for (name, value) in given {
         let parameter = parameter(&old, name)?;
-        let value = as_written(value, parameter, old.unit.name());
         let place = default_place(&new, name, session.limits())
             .ok_or_else(|| format!("the script has no parameter `{name}`"))?;
+        let value = as_written(value, parameter, old.unit.name());
+        if !is_literal(&value, old.unit.name(), session) {
+            return Err(format!("`{value}` is not a value that a script could write"));
+        }
+        let value = in_unit_of(&new[place.clone()], value, old.unit.name(), session.limits());
         let mut next = new.clone();
         next.replace_range(place.clone(), &value);
         // The value is one expression: what stood around it stands there still.
@@ -68,6 +75,40 @@ fn as_written(value: &str, parameter: &SchemaParameter, unit: &str) -> String {
     }
 }
 
+/// Whether a value says the same wherever it stands: no name of the script is in it.
+fn is_literal(value: &str, unit: &str, session: &Session) -> bool {
+    let alone = format!("unit {unit}\nparam value = {value}\n");
+    session.parameters("value", alone.as_bytes(), &NoFiles).is_ok()
+}
+
+/// A number with the document's unit, in the unit that stands in its place, unless that takes more digits.
+fn in_unit_of(old: &str, value: String, unit: &str, limits: &Limits) -> String {
+    let (Some((_, own)), Some((number, given))) = (measure(old, limits), measure(&value, limits))
+    else {
+        return value;
+    };
+    if given != unit || own == given {
+        return value;
+    }
+    let Some(shortest) = shortest_in(number, own, unit) else { return value };
+    let text = format!("{shortest}{own}");
+    if text.len() <= value.len() + MORE_DIGITS { text } else { value }
+}
+
+/// How many characters longer a number may become in the unit of the script's author: `1mm` is `0.1cm`.
+const MORE_DIGITS: usize = 2;
+
+/// A number that is written with a unit of length.
+fn measure(text: &str, limits: &Limits) -> Option<(f64, &'static str)> {
+    let source = format!("param value = {text}");
+    let (tree, found) = syntax::parse(&source, limits);
+    let [statement] = &tree.statements[..] else { return None };
+    let StatementKind::Param(param) = &statement.kind else { return None };
+    let ExprKind::Number(number, Some(unit)) = param.default.kind else { return None };
+    let (name, _) = Unit::ALL.iter().find(|(_, known)| *known == unit)?;
+    found.is_empty().then_some((number, *name))
+}
+
 /// Where the default of a parameter stands in a text without mistakes.
 fn default_place(text: &str, name: &str, limits: &Limits) -> Option<Range<usize>> {
     let (tree, found) = syntax::parse(text, limits);
@@ -100,6 +141,23 @@ mod tests {
     }
 
     #[test]
+    fn what_a_person_wrote_stands_as_it_is_written_and_lengths_in_the_units_of_the_script() {
+        let text = "unit mm\nparam a = 2cm\nparam b = 5in\nparam c = pi / 4\nparam d = 3mm\n";
+        for (name, value, expected) in [
+            ("a", "30mm", "a = 3cm"),
+            ("a", "12.5", "a = 1.25cm"),
+            ("a", "1in", "a = 1in"),
+            ("b", "25.4mm", "b = 1in"),
+            ("b", "10mm", "b = 10mm"),
+            ("c", "pi/3", "c = pi/3"),
+            ("d", "2mm + 1mm", "d = 2mm + 1mm"),
+        ] {
+            let new = written(text, &[(name, value)]);
+            assert!(new.as_ref().is_ok_and(|new| new.contains(expected)), "{value}: {new:?}");
+        }
+    }
+
+    #[test]
     fn what_is_no_value_of_the_parameter_changes_nothing() {
         let text = "param neck = 10mm in 5mm..20mm\nparam n = 3\n";
         for (name, value) in [
@@ -111,6 +169,8 @@ mod tests {
             ("n", "1 in 0..9"),
             ("n", ""),
             ("other", "1"),
+            ("neck", "n * 1mm"),
+            ("n", "n"),
         ] {
             assert!(written(text, &[(name, value)]).is_err(), "{name} = {value}");
         }

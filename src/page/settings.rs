@@ -29,11 +29,26 @@ pub(crate) fn changed(
     })
 }
 
-/// The member `values` of a body: names of parameters with texts, or null.
-pub(crate) fn values_of(
+/// Values to be written into the script: what the page asks for, as the person wrote it where that is set.
+///
+/// # Errors
+/// As [`changed`].
+pub(crate) fn to_be_written(
     body: &Json,
     shown: &Shown,
-) -> Result<Vec<(String, Option<String>)>, String> {
+    settings: &[Setting],
+) -> Result<Vec<(String, String)>, String> {
+    let as_set = |(name, text): (String, String)| {
+        let set = settings.iter().rfind(|setting| setting.name == name);
+        let text = set.map_or(text, |setting| setting.text.clone());
+        (name, text)
+    };
+    let values = values_of(body, shown)?;
+    Ok(values.into_iter().filter_map(|(name, text)| Some(as_set((name, text?)))).collect())
+}
+
+/// The member `values` of a body: names of parameters with texts, or null.
+fn values_of(body: &Json, shown: &Shown) -> Result<Vec<(String, Option<String>)>, String> {
     let Some(members) = body["values"].as_object() else {
         return Err("`values` must be an object".to_owned());
     };

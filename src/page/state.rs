@@ -95,6 +95,10 @@ fn items(report: &Report, scene: &Scene) -> Json {
             "definition": defined.name,
             "path": format!("{}{}", defined.name, item.piece.path),
             "kind": item.piece.shape.kind(),
+            "form": item.piece.shape.form(),
+            "owner": item.piece.owner.as_ref().map(|owner| {
+                json!({ "path": format!("{}{}", defined.name, owner.path), "kind": owner.kind })
+            }),
             "color": defined.look.color,
             "opacity": null,
             "layer": defined.look.layer.as_deref(),

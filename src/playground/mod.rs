@@ -176,9 +176,7 @@ impl Playground {
 
     /// The text with these values as the defaults of its parameters.
     fn write(&mut self, body: &Json) -> Answer {
-        let values = settings::values_of(body, &self.known.shown)?;
-        let given: Vec<(String, String)> =
-            values.into_iter().filter_map(|(name, text)| Some((name, text?))).collect();
+        let given = settings::to_be_written(body, &self.known.shown, &self.settings)?;
         let text = rewritten(&self.text, &given, &self.session, &self.files)?;
         let names: Vec<String> = given.into_iter().map(|(name, _)| name).collect();
         // What is the default now is set no more.

@@ -106,6 +106,7 @@ pub use shape::{Geometry, RealGeometry};
 pub use switch::{Switch, is_like};
 pub use table_text::{MOST_ROWS, table_cells, table_text};
 pub use ty::Type;
+pub(crate) use unit::shortest_in;
 pub use unit::{in_document_unit, in_unit_of};
 pub use variation::{looked_at, with_form_of};
 pub use varied::{RealCurve, RealSurface};

@@ -113,6 +113,11 @@ pub fn in_unit_of(value: f64, unit: &str, length: &str) -> Option<Number> {
     Some(Number { value: unit.convert(value), dim: unit.dim })
 }
 
+/// The fewest digits of a unit that are the same number in the document's unit of length, or in radians.
+pub(crate) fn shortest_in(value: f64, unit: &str, length: &str) -> Option<f64> {
+    Some(UnitText::read(unit, length)?.shortest_in(value))
+}
+
 /// The number times a fraction; whole ratios stay exact.
 fn scaled(value: f64, [above, below]: [f64; 2]) -> f64 {
     if above % below == 0.0 {

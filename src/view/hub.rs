@@ -145,6 +145,11 @@ impl Hub {
         Known { shown: Arc::clone(&state.shown), before: Arc::clone(&state.before) }
     }
 
+    /// The values of parameters that are set.
+    pub(super) fn settings(&self) -> Vec<Setting> {
+        self.lock().settings.clone()
+    }
+
     /// Changes the settings; a run with them is wanted.
     pub(super) fn set(&self, change: impl FnOnce(&mut Vec<Setting>)) {
         let mut state = self.lock();

@@ -6,14 +6,12 @@ use super::doors::Doors;
 use crate::{
     disk::{Script, ScriptFiles, overwrite},
     export::io_reason,
-    page::{Answer, defaults::rewritten, settings::values_of},
+    page::{Answer, defaults::rewritten, settings::to_be_written},
 };
 
 /// `/api/write`
 pub(super) fn write(body: &Json, doors: &Doors) -> Answer {
-    let values = values_of(body, &doors.hub.shown())?;
-    let given: Vec<(String, String)> =
-        values.into_iter().filter_map(|(name, text)| Some((name, text?))).collect();
+    let given = to_be_written(body, &doors.hub.shown(), &doors.hub.settings())?;
     let _alone = doors.alone();
     let script = Script::read(&doors.script, doors.session.limits().source_bytes)?;
     let files = ScriptFiles::new(&script.folder);

@@ -17,14 +17,85 @@ export function paintPicture(app: App): HTMLCanvasElement {
   context.drawImage(seen, 0, 0);
   const ratio = seen.width / seen.clientWidth;
   context.scale(ratio, ratio);
-  context.fillStyle = style.color;
-  context.font = "12px system-ui, sans-serif";
-  const legend = app.canvas.parentElement!.querySelector<HTMLElement>(".legend:not([hidden])");
-  const title = legend?.querySelector(".legend-title")?.textContent ?? "";
-  const ends = [...(legend?.querySelectorAll<HTMLInputElement>(".legend-end") ?? [])].map((end) => end.value);
-  const isMap = legend !== null && !["draft", "sides"].includes(legend.dataset.shade ?? "");
-  if (title) context.fillText(isMap ? `${title}: ${ends[1]} … ${ends[0]}` : title, 16, seen.clientHeight - 16);
+  const over = app.canvas.parentElement!;
+  for (const legend of over.querySelectorAll<HTMLElement>(".legend:not([hidden])")) paintLegend(context, legend, over);
+  for (const caption of over.querySelectorAll<HTMLElement>(".scale, .stripes-caption, .mark-label")) paintCaption(context, caption, over);
   return picture;
+}
+
+/** Where an element stands over the picture. */
+function frameIn(element: Element, over: HTMLElement): DOMRect {
+  const [frame, from] = [element.getBoundingClientRect(), over.getBoundingClientRect()];
+  return new DOMRect(frame.x - from.x, frame.y - from.y, frame.width, frame.height);
+}
+
+/** The text of an element in its own font and colour, in the middle of its height. */
+function paintText(context: CanvasRenderingContext2D, element: HTMLElement, over: HTMLElement, text = element.textContent ?? ""): void {
+  const { x, y, height } = frameIn(element, over);
+  const style = getComputedStyle(element);
+  context.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+  context.fillStyle = style.color;
+  context.textBaseline = "middle";
+  context.fillText(text, x + (parseFloat(style.paddingLeft) || 0), y + height / 2);
+}
+
+function paintBox(context: CanvasRenderingContext2D, element: Element, over: HTMLElement, fill: string | CanvasGradient): void {
+  const { x, y, width, height } = frameIn(element, over);
+  context.beginPath();
+  context.roundRect(x, y, width, height, parseFloat(getComputedStyle(element).borderTopLeftRadius) || 0);
+  context.fillStyle = fill;
+  context.fill();
+}
+
+/** The legend without its buttons: the bar with its ends, or the classes. */
+function paintLegend(context: CanvasRenderingContext2D, legend: HTMLElement, over: HTMLElement): void {
+  paintBox(context, legend, over, getComputedStyle(legend).backgroundColor);
+  const isSeen = (element: HTMLElement): boolean => element.offsetParent !== null;
+  for (const bar of legend.querySelectorAll<HTMLElement>(".legend-bar")) {
+    if (!isSeen(bar)) continue;
+    const { y, height } = frameIn(bar, over);
+    const colors = getComputedStyle(bar).backgroundImage.match(/rgb\([^)]*\)/g) ?? [];
+    const ramp = context.createLinearGradient(0, y + height, 0, y);
+    colors.forEach((color, i) => ramp.addColorStop(colors.length > 1 ? i / (colors.length - 1) : 0, color));
+    paintBox(context, bar, over, ramp);
+  }
+  for (const swatch of legend.querySelectorAll<HTMLElement>(".legend-swatch")) {
+    if (isSeen(swatch)) paintBox(context, swatch, over, getComputedStyle(swatch).backgroundColor);
+  }
+  for (const text of legend.querySelectorAll<HTMLElement>(".legend-title, .legend-middle")) {
+    if (isSeen(text)) paintText(context, text, over);
+  }
+  for (const end of legend.querySelectorAll<HTMLInputElement>(".legend-end")) {
+    if (isSeen(end)) paintText(context, end, over, end.value);
+  }
+  for (const row of legend.querySelectorAll<HTMLElement>(".legend-class")) {
+    if (!isSeen(row)) continue;
+    const { x, y, height } = frameIn(row, over);
+    const style = getComputedStyle(row);
+    context.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    context.fillStyle = style.color;
+    context.textBaseline = "middle";
+    context.fillText(row.textContent ?? "", x + 19, y + height / 2);
+  }
+}
+
+/** A line of text over the model, and the line of the scale bar. */
+function paintCaption(context: CanvasRenderingContext2D, caption: HTMLElement, over: HTMLElement): void {
+  if (caption.hidden || getComputedStyle(caption).display === "none") return;
+  for (const line of caption.querySelectorAll<HTMLElement>(".scale-line")) {
+    const { x, y, width, height } = frameIn(line, over);
+    context.strokeStyle = getComputedStyle(line).color;
+    context.lineWidth = 1.25;
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(x, y + height);
+    context.lineTo(x + width, y + height);
+    context.lineTo(x + width, y);
+    context.stroke();
+  }
+  for (const text of caption.children.length > 0 ? caption.querySelectorAll<HTMLElement>("span, output") : [caption]) {
+    paintText(context, text as HTMLElement, over);
+  }
 }
 
 export function savePicture(app: App): void {

@@ -301,4 +301,34 @@ run("an exported page shows the model without a server", async () => {
   await shown.close();
 });
 
+const PARTS = `unit mm
+region plate = region(polyline((0, 0), (40, 0), (40, 25), (0, 25), closed = true), holes = [circle((20, 12, 0), 4)])
+solids two = [box((0, 40, 0), (10, 10, 10)), box((20, 40, 0), (10, 10, 20))]
+points cloud = [(0, -20, 0), (10, -20, 3)]
+`;
+
+run("a solid and a region are one row each, and a face tells of its solid", async () => {
+  const parts = await serve(PARTS);
+  const shown = await openPage(parts.url);
+  const selection = () => shown.$eval('[data-section="facts"]', (element) => element.innerText);
+  try {
+    await shown.click('[data-path="two"] .fold');
+    await shown.click('[data-path="two[1]"] .fold');
+    await shown.click('[data-path="two[1].faces[0]"]');
+    await shown.click('.owner [data-ask="volume"]');
+    await until(shown, () => /2000 mm³/.test(document.querySelector('[data-section="facts"]').innerText));
+    assert.match(await selection(), /face two\[1\]\.faces\[0\]/);
+    await shown.click('[data-path="plate"]');
+    await shown.click('[data-ask="area"]');
+    await until(shown, () => /949\.735 mm²/.test(document.querySelector('[data-section="facts"]').innerText));
+    const [x, y] = await shown.evaluate(() => window.virote.pixel([10, -20, 3]));
+    await shown.mouse.click(x, y);
+    await until(shown, () => document.querySelector(".expression")?.innerText.startsWith("cloud[1]"));
+    assert.deepEqual(shown.faults, []);
+  } finally {
+    await shown.close();
+    parts.end();
+  }
+});
+
 run("the page had no fault in all this", () => assert.deepEqual(page.faults, []));

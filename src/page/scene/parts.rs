@@ -38,6 +38,23 @@ pub(crate) struct Piece {
     /// Its path from the definition on, such as `[2]`; empty for all of it.
     pub(crate) path: String,
     pub(crate) shape: Shape,
+    /// The region or solid that it is a part of.
+    pub(crate) owner: Option<Owner>,
+}
+
+impl Piece {
+    fn alone(path: String, shape: Shape) -> Self {
+        Self { path, shape, owner: None }
+    }
+}
+
+/// What the pieces of a region, or of a solid, belong to.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Owner {
+    /// Its path from the definition on.
+    pub(crate) path: String,
+    /// What the language calls its kind.
+    pub(crate) kind: &'static str,
 }
 
 /// The pieces of a value, in its order.
@@ -59,7 +76,8 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
         Value::Solid(solid) => {
             for (i, face) in solid.faces().iter().enumerate() {
                 let shape = Shape::Face(Arc::new(face.clone()));
-                found.push(Piece { path: format!("{path}.faces[{i}]"), shape });
+                let owner = Some(Owner { path: path.to_owned(), kind: "solid" });
+                found.push(Piece { path: format!("{path}.faces[{i}]"), shape, owner });
             }
             return;
         }
@@ -67,7 +85,7 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
         Value::Point(point) => Shape::Points(vec![*point]),
         Value::List(items) => {
             if let Some(points) = points_of(value) {
-                found.push(Piece { path: path.to_owned(), shape: Shape::Points(points) });
+                found.push(Piece::alone(path.to_owned(), Shape::Points(points)));
                 return;
             }
             for (i, item) in items.values().enumerate() {
@@ -83,7 +101,7 @@ fn gather(value: &Value, path: &str, found: &mut Vec<Piece>) {
         }
         _ => return,
     };
-    found.push(Piece { path: path.to_owned(), shape });
+    found.push(Piece::alone(path.to_owned(), shape));
 }
 
 /// Part of the usual distance of chords that the triangles of a region keep from its borders, which are drawn smooth.
@@ -96,14 +114,15 @@ fn gather_region(region: &Arc<Region>, path: &str, found: &mut Vec<Piece>) {
     else {
         return;
     };
+    let owner = || Some(Owner { path: path.to_owned(), kind: "region" });
     let shape = Shape::Region(Arc::clone(region), Arc::new(mesh));
-    found.push(Piece { path: path.to_owned(), shape });
+    found.push(Piece { path: path.to_owned(), shape, owner: owner() });
     for (i, border) in region.borders().unwrap_or_default().into_iter().enumerate() {
-        let path = match i {
+        let place = match i {
             0 => format!("{path}.outer"),
             _ => format!("{path}.holes[{}]", i - 1),
         };
-        found.push(Piece { path, shape: Shape::Curve(border.into()) });
+        found.push(Piece { path: place, shape: Shape::Curve(border.into()), owner: owner() });
     }
 }
 
@@ -137,14 +156,14 @@ fn together(found: Vec<Piece>) -> Vec<Piece> {
             Shape::Points(more) => points.extend(more),
             Shape::Curve(curve) => curves.push(curve),
             Shape::Surface(surface) => surfaces.push(surface),
-            shape => all.push(Piece { path: piece.path, shape }),
+            shape => all.push(Piece { shape, ..piece }),
         }
     }
     // Of meshes there is no more than one item can hold either.
     all.truncate(MOST_PIECES);
     let mut add = |is_empty: bool, shape: Shape| {
         if !is_empty {
-            all.push(Piece { path: String::new(), shape });
+            all.push(Piece::alone(String::new(), shape));
         }
     };
     add(points.is_empty(), Shape::Points(points));
@@ -162,6 +181,21 @@ impl Shape {
             Self::Mesh(_) | Self::Region(..) | Self::Surfaces(_) => "mesh",
             Self::Points(_) => "points",
             Self::Curves(_) => "polyline",
+        }
+    }
+
+    /// What the language calls its kind.
+    pub(crate) fn form(&self) -> &'static str {
+        match self {
+            Self::Surface(_) => "surface",
+            Self::Surfaces(_) => "surfaces",
+            Self::Face(_) => "face",
+            Self::Curve(_) => "curve",
+            Self::Curves(_) => "curves",
+            Self::Mesh(_) => "mesh",
+            Self::Region(..) => "region",
+            Self::Points(points) if points.len() == 1 => "point",
+            Self::Points(_) => "points",
         }
     }
 

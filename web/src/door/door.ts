@@ -10,6 +10,10 @@ export interface Item {
   definition: string;
   path: string;
   kind: Kind;
+  /** What the language calls its kind, such as "region". */
+  form?: string;
+  /** The region or solid that it is a part of. */
+  owner?: Owner | null;
   /** Bytes of red, green and blue. */
   color: Vector | null;
   opacity: number | null;
@@ -20,6 +24,11 @@ export interface Item {
   facts: Record<string, string | number | boolean>;
   bounds: Box | null;
   span: { line: number; column: number } | null;
+}
+
+export interface Owner {
+  path: string;
+  kind: "region" | "solid";
 }
 
 export interface Parameter {

@@ -20,6 +20,8 @@ export interface Hit {
   parameters: { u: number; v: number } | { t: number } | null;
   /** The triangle, where the place is on one. */
   triangle: number | null;
+  /** Which of its points, where the place is one of many. */
+  index?: number | null;
   answer: Answer | null;
   trouble: string | null;
 }

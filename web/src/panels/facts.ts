@@ -1,6 +1,6 @@
 // What is known of the place that was clicked, of two such places together, and of the selection.
 
-import type { Answer, Box, Item, Measurable, Vector } from "../door/door";
+import type { Answer, Box, Item, Measurable, Owner, Vector } from "../door/door";
 import type { Document, Hit } from "../model/document";
 import { button, coordinate, copy, el, figure, section, type Section } from "./dom";
 import { icon } from "./icons";
@@ -48,7 +48,7 @@ export class FactsPanel {
     this.chosen.replaceChildren(...(items.length > 0 ? this.itemRows(items) : []));
     this.hint.hidden = hit !== null || items.length > 0 || this.doc.isMeasuring.value;
     this.section.note.textContent =
-      items.length === 1 ? items[0].path : items.length > 1 ? `${items.length} items` : (hit?.path ?? "");
+      items.length === 1 ? items[0].path : items.length > 1 ? this.together(items) : (hit?.path ?? "");
   }
 
   private placeRows(hit: Hit): Node[] {
@@ -106,24 +106,43 @@ export class FactsPanel {
     if (items.length === 1) {
       const [item] = items;
       const { facts } = item;
-      nodes.push(el("h4", {}, `${item.kind} ${item.path}`));
+      nodes.push(el("h4", {}, `${item.form ?? item.kind} ${item.path}`));
       const known: [string, unknown][] = [
         ["Degree", facts.degree],
         ["Control points", facts.controlPoints],
-        ["Triangles", facts.triangles],
-        ["Points", facts.points],
+        [item.kind === "mesh" ? "Triangles" : "Triangles drawn", item.form === "region" ? null : facts.triangles],
+        ["Points", item.kind === "points" ? facts.points : null],
         ["Layer", item.layer],
         ["Line", item.span?.line],
       ];
       for (const [label, value] of known) if (value || value === 0) nodes.push(row(label, String(value)));
-    } else nodes.push(el("h4", {}, `${items.length} items`));
-    if (this.doc.door.canEvaluate) nodes.push(this.measures(items));
+    } else nodes.push(el("h4", {}, this.together(items)));
+    if (this.doc.door.canEvaluate) {
+      nodes.push(this.measures(items));
+      const owner = items.length === 1 && items[0].owner?.kind === "solid" ? items[0].owner : null;
+      if (owner) nodes.push(this.whole(owner));
+    }
     return nodes;
   }
 
-  private measures(items: Item[]): HTMLElement {
-    const isCurves = items.every((item) => item.kind === "curve" || item.kind === "polyline");
-    const kinds: Measurable[] = isCurves ? ["length"] : ["area", "volume"];
+  /** What these items are together: one region or solid, or so many items. */
+  private together(items: Item[]): string {
+    const { owner } = items[0];
+    const isOne = owner && items.every((item) => item.owner?.path === owner.path);
+    const parts = isOne ? this.doc.items().filter((item) => item.owner?.path === owner.path).length : 0;
+    return owner && parts === items.length ? `${owner.kind} ${owner.path}` : `${items.length} items`;
+  }
+
+  /** The solid that a face belongs to. */
+  private whole(owner: Owner): HTMLElement {
+    const parts = this.doc.items().filter((item) => item.owner?.path === owner.path);
+    const select = button(`${owner.kind} ${owner.path}`, "Select all of it", () => this.doc.select(parts.map((part) => part.path)), { class: "plain" });
+    return el("div", { class: "owner" }, el("h4", {}, "Part of ", select), this.measures(parts));
+  }
+
+  private measures(selected: Item[]): HTMLElement {
+    const items = measured(selected);
+    const kinds = measurables(items);
     const results = el("div", {});
     const ask = async (kind: Measurable): Promise<void> => {
       const found = await this.doc.attempt(this.doc.door.measure(kind, items.map((item) => item.key)));
@@ -140,6 +159,20 @@ export class FactsPanel {
   }
 }
 
+/** What is measured of a selection: of a region its area, and not the borders with it. */
+function measured(items: Item[]): Item[] {
+  const regions = new Set(items.filter((item) => item.form === "region").map((item) => item.path));
+  return items.filter((item) => item.kind !== "curve" || !regions.has(item.owner?.path ?? ""));
+}
+
+/** What can be asked of all these items together. */
+function measurables(items: Item[]): Measurable[] {
+  const are = (...kinds: string[]): boolean => items.every((item) => kinds.includes(item.kind));
+  if (are("curve", "polyline")) return ["length"];
+  if (!are("surface", "mesh")) return [];
+  return items.some((item) => item.form === "region") ? ["area"] : ["area", "volume"];
+}
+
 /** Whether a place lies on a filled cut. */
 function isOnCut({ item, parameters, triangle }: Hit): boolean {
   return (item.kind === "surface" || item.kind === "mesh") && !parameters && triangle === null;
@@ -149,6 +182,8 @@ function isOnCut({ item, parameters, triangle }: Hit): boolean {
 export function expressionOf(hit: Hit): string {
   const { answer, item, parameters } = hit;
   if (answer?.expression) return answer.expression;
+  if (item.form === "point") return item.path;
+  if (item.form === "points" && typeof hit.index === "number") return `${item.path}[${hit.index}]`;
   if (!parameters) return `(${rounded(pointOf(hit)).join(", ")})`;
   const at = "u" in parameters ? [parameters.u, parameters.v] : [parameters.t];
   return `${item.path}(${at.map((value) => Number(value.toPrecision(6))).join(", ")})`;
@@ -188,7 +223,7 @@ function row(label: string, value: string, unit = ""): HTMLElement {
     "div",
     { class: "fact" },
     el("span", { class: "fact-label" }, label),
-    el("span", { class: "fact-value" }, value, unit && el("small", {}, ` ${unit}`)),
+    el("span", { class: "fact-value" }, value.replace(/(^|[\s(e])-/g, "$1−"), unit && el("small", {}, ` ${unit}`)),
   );
 }
 
@@ -203,5 +238,7 @@ function places(vector: Vector, size: number): string {
 }
 
 function triple(vector: Vector, n_digits: number): string {
-  return vector.map((value) => figure(Math.abs(value) < 1e-12 ? 0 : value, n_digits)).join("  ");
+  // What is below the last digit of the largest is no figure of its own.
+  const least = Math.max(...vector.map(Math.abs)) * 10 ** -n_digits;
+  return vector.map((value) => figure(Math.abs(value) < least ? 0 : value, n_digits)).join("  ");
 }

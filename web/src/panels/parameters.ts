@@ -134,7 +134,7 @@ function choice(choices: string[], send: (text: string, isLast: boolean) => void
 function text(send: (text: string, isLast: boolean) => void): Input & { field: HTMLInputElement } {
   const field = el("input", { type: "text", class: "value", spellcheck: "false", autocomplete: "off" });
   let shown = "";
-  field.addEventListener("change", () => field.value !== shown && send(field.value, true));
+  field.addEventListener("change", () => field.value !== shown && send(field.value.replaceAll("−", "-"), true));
   field.addEventListener("keydown", (event) => {
     if (event.key === "Escape") {
       field.value = shown;

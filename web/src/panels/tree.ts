@@ -17,6 +17,8 @@ interface Row {
   /** The list that this row opens, or null for a single thing. */
   list: string | null;
   depth: number;
+  /** What its only item, or all of them together are. */
+  form: string;
 }
 
 export class TreePanel {
@@ -69,17 +71,33 @@ export class TreePanel {
     this.rows = [];
     for (const [definition, group] of groups) {
       const isList = group.length > 1 || group[0].path !== definition;
-      this.rows.push({ label: definition, items: group, list: isList ? definition : null, depth: 0 });
-      if (!isList || !(this.open.has(definition) || wanted)) continue;
-      for (const item of group) {
-        const label = item.path.startsWith(definition) ? item.path.slice(definition.length) || item.path : item.path;
-        this.rows.push({ label, items: [item], list: null, depth: 1 });
-      }
+      const whole = group[0].owner?.path === definition ? group[0].owner.kind : "list";
+      const form = isList ? whole : formOf(group[0]);
+      this.rows.push({ label: definition, items: group, list: isList ? definition : null, depth: 0, form });
+      if (isList && (this.open.has(definition) || wanted)) this.unfold(definition, group, 1, wanted !== "");
     }
     const n_hidden = items.filter((item) => !this.doc.isVisible(item)).length;
     say(this.section.note, items.length === 0 ? "" : n_hidden > 0 ? `${items.length}, ${n_hidden} hidden` : String(items.length));
     this.scroll.classList.toggle("empty", items.length === 0);
     this.draw();
+  }
+
+  /** Rows of what stands below one: pieces, and regions and solids that unfold into theirs. */
+  private unfold(above: string, items: Item[], depth: number, areAllOpen: boolean): void {
+    const label = (path: string): string => (path.startsWith(above) ? path.slice(above.length) || path : path);
+    for (let i = 0; i < items.length; ) {
+      const { owner } = items[i];
+      let end = i + 1;
+      if (!owner || owner.path === above) {
+        this.rows.push({ label: label(items[i].path), items: [items[i]], list: null, depth, form: formOf(items[i]) });
+      } else {
+        while (end < items.length && items[end].owner?.path === owner.path) end++;
+        const parts = items.slice(i, end);
+        this.rows.push({ label: label(owner.path), items: parts, list: owner.path, depth, form: owner.kind });
+        if (this.open.has(owner.path) || areAllOpen) this.unfold(owner.path, parts, depth + 1, areAllOpen);
+      }
+      i = end;
+    }
   }
 
   /** A row by its number: what it was made of may be another one when it is clicked, if that looks alike. */
@@ -157,8 +175,9 @@ export class TreePanel {
     const selected = this.doc.selected();
     const [first] = selected;
     if (first && selected.length === 1) {
-      if (first.path !== first.definition && !this.open.has(first.definition)) {
-        this.open.add(first.definition);
+      const above = [first.definition, first.owner?.path ?? ""].filter((path) => path && path !== first.path);
+      if (above.some((path) => !this.open.has(path))) {
+        for (const path of above) this.open.add(path);
         this.rebuild();
       }
       const index = this.rows.findIndex((row) => !row.list && row.items[0].path === first.path);
@@ -173,29 +192,40 @@ export class TreePanel {
   }
 }
 
+/** How many things of the script these items are: a solid is one. */
+function elements(items: Item[]): number {
+  return new Set(items.map((item) => item.owner?.path ?? item.path)).size;
+}
+
+function formOf(item: Item): string {
+  return item.form ?? item.kind;
+}
+
 function matches(item: Item, wanted: string): boolean {
-  return [item.path, item.kind, item.layer ?? ""].some((text) => text.toLowerCase().includes(wanted));
+  return [item.path, item.kind, formOf(item), item.owner?.kind ?? "", item.layer ?? ""].some((text) => text.toLowerCase().includes(wanted));
 }
 
 /** The size of a row in a word: of a list its length, of a surface degree and net. */
-function size({ items, list }: Row): string {
-  if (list) return `${items.length}`;
+function size({ items, list, form }: Row): string {
+  if (form === "solid" || form === "region") return form;
+  if (list) return `${elements(items)}`;
   const { degree, points, triangles } = items[0].facts;
   if (degree) return String(degree).replace(" x ", "×");
   if (triangles) return `${short(Number(triangles))} △`;
   return points ? `${short(Number(points))} pt` : "";
 }
 
-function describe({ items, list, label }: Row): string {
+function describe({ items, list, label, form }: Row): string {
   const [item] = items;
-  if (list) return `${label}: a list of ${items.length}`;
+  if (form === "solid") return `${list}: a solid of ${items.length === 1 ? "one face" : `${items.length} faces`}`;
+  if (list) return form === "region" ? `${list}: a region` : `${label}: a list of ${elements(items)}`;
   const { facts } = item;
   const parts = [
-    `${item.path}: ${item.kind}`,
+    `${item.path}: ${form}`,
     facts.degree && `degree ${facts.degree}`,
     facts.controlPoints && `${facts.controlPoints} control points`,
-    facts.triangles && `${facts.triangles} triangles`,
-    facts.points && `${facts.points} points`,
+    facts.triangles && `${facts.triangles} triangles drawn`,
+    item.kind === "points" && facts.points && `${facts.points} points`,
     item.layer && `layer ${item.layer}`,
     item.span && `line ${item.span.line}`,
   ];

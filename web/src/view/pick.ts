@@ -18,6 +18,7 @@ interface Candidate {
   normal: Vector3 | null;
   parameters: Hit["parameters"];
   triangle: number | null;
+  index?: number | null;
 }
 
 /** The item under the pixel (x, y); `planes` cut away what lies behind them, and what is closed is filled there. */
@@ -47,6 +48,7 @@ export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number,
     normal: (best.normal?.toArray() as Vector | undefined) ?? null,
     parameters: best.parameters,
     triangle: best.triangle,
+    index: best.index ?? null,
     answer: null,
     trouble: null,
   };
@@ -125,12 +127,13 @@ function hitLines(drawn: DrawnItem, ray: Ray, rig: Rig, x: number, y: number, pl
   const center = new Vector3(...buffers.center);
   const along = drawn.shape.clickable();
   if (buffers.segments) for (let i = 0; i < buffers.segments.length; i += 6) along.push(buffers.segments.subarray(i, i + 6));
+  const n_lines = along.length;
   if (buffers.kind === "points" && buffers.positions) {
     for (let i = 0; i < buffers.positions.length; i += 3) along.push(buffers.positions.subarray(i, i + 3));
   }
   let best: Candidate | null = null;
   let nearest = REACH;
-  for (const line of along) {
+  for (const [which, line] of along.entries()) {
     const pixels = projected(line, center, rig);
     for (let i = 0; i === 0 || i + 1 < pixels.length; i++) {
       const a = pixels[i];
@@ -154,6 +157,7 @@ function hitLines(drawn: DrawnItem, ray: Ray, rig: Rig, x: number, y: number, pl
         normal: null,
         parameters: t && Number.isFinite(t[i]) ? { t: t[i] * (1 - share) + (t[i + 1] ?? t[i]) * share } : null,
         triangle: null,
+        index: which < n_lines ? null : which - n_lines,
       };
     }
   }

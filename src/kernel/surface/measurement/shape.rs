@@ -176,6 +176,12 @@ impl SurfaceShape {
         [a.max(b), a.min(b)].map(|k| if k <= flat { f64::INFINITY } else { k.recip() })
     }
 
+    /// What rounding leaves in a curvature here, of which less is none.
+    #[must_use]
+    pub fn rounding(&self) -> f64 {
+        self.rounding
+    }
+
     /// Half of the difference of the principal curvatures.
     fn spread(&self) -> f64 {
         let [a, b, c] = self.tensor;
