@@ -43,7 +43,7 @@ pub struct Graph {
 #[must_use]
 pub fn graph(name: &str, text: &str, sources: &mut Sources, settings: Settings<'_>) -> Graph {
     let loaded = load(name, text, sources, settings);
-    let (program, document) = (&loaded.program, loaded.document);
+    let (program, document) = (&loaded.program, &loaded.document);
     let mut items: Vec<GraphItem<'_>> = program
         .definitions
         .iter()
@@ -102,7 +102,7 @@ impl GraphItem<'_> {
     }
 
     /// The node, but for what it uses.
-    fn node(&self, document: LoadingScript<'_>) -> DependencyNode {
+    fn node(&self, document: &LoadingScript<'_>) -> DependencyNode {
         let (kind, name, span, text) = match self {
             Self::Definition(_, definition) => {
                 (kind(definition), &*definition.name, definition.name_span, None)
@@ -145,7 +145,7 @@ impl GraphItem<'_> {
 }
 
 /// The path of an export, without its quotes where it is plain.
-fn path_text(path: &Expr, document: LoadingScript<'_>) -> String {
+fn path_text(path: &Expr, document: &LoadingScript<'_>) -> String {
     match &path.kind {
         ExprKind::Constant(Value::Text(text)) => text.to_string(),
         _ => document.excerpt(path.span),

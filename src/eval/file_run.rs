@@ -17,7 +17,7 @@ pub(super) struct FileRun<'a> {
     pub(super) settings: Settings<'a>,
     pub(super) program: &'a Program,
     pub(super) diagnostics: Vec<Diagnostic>,
-    pub(super) document: LoadingScript<'a>,
+    pub(super) document: &'a LoadingScript<'a>,
 }
 
 impl FileRun<'_> {

@@ -56,7 +56,7 @@ pub(super) fn load<'a>(
     let mut lowered = lower::lower(&tree, origin, settings.registry, unit);
     library.load_scripts(file, &mut lowered, chain, sources);
     diagnostics.extend(lowered.diagnostics);
-    let document = LoadingScript { text, base };
+    let document = LoadingScript::new(text, base);
     let (program, sources) = (lowered.program, sources.clone());
     LoadedScript { document, unit, library, program, sources, noted: lowered.noted, diagnostics }
 }
@@ -89,15 +89,22 @@ impl LoadedScript<'_> {
 }
 
 /// A script on its way into evaluation.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct LoadingScript<'a> {
     /// Its text.
     text: &'a str,
     /// The first byte of its text in all sources.
     base: u32,
+    /// The bytes at which its lines end.
+    line_ends: Vec<u32>,
 }
 
-impl LoadingScript<'_> {
+impl<'a> LoadingScript<'a> {
+    fn new(text: &'a str, base: u32) -> Self {
+        let ends = text.bytes().zip(0..).filter(|&(byte, _)| byte == b'\n');
+        Self { text, base, line_ends: ends.map(|(_, at)| at).collect() }
+    }
+
     /// The text at a place, white space folded to single spaces.
     pub(super) fn excerpt(&self, span: Span) -> String {
         let start = (span.start.saturating_sub(self.base)) as usize;
@@ -113,7 +120,7 @@ impl LoadingScript<'_> {
 
     /// The line of a place, from 1.
     pub(super) fn line(&self, span: Span) -> usize {
-        let start = (span.start.saturating_sub(self.base)) as usize;
-        1 + self.text.as_bytes().iter().take(start).filter(|&&byte| byte == b'\n').count()
+        let start = span.start.saturating_sub(self.base);
+        1 + self.line_ends.partition_point(|&end| end < start)
     }
 }

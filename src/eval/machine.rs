@@ -12,6 +12,7 @@ use std::{
 
 use super::{
     env::Env,
+    field::FieldMemory,
     function::ScriptFunction,
     globals::Globals,
     import_fault::ImportFault,
@@ -61,6 +62,7 @@ pub(crate) struct Machine<'a> {
     pub(super) import_fault: Option<ImportFault>,
     /// The scripts that the expression under way has called, by their numbers.
     pub(super) scripts: BTreeSet<usize>,
+    fields: FieldMemory,
 }
 
 /// Files that were read so far.
@@ -87,6 +89,7 @@ impl<'a> Machine<'a> {
             n_doubtful: 0,
             import_fault: None,
             scripts: BTreeSet::new(),
+            fields: FieldMemory::default(),
         }
     }
 
@@ -104,6 +107,7 @@ impl<'a> Machine<'a> {
         self.base = 0;
         self.running = None;
         (self.n_calls, self.depth, self.steps) = (0, 0, 0);
+        self.fields = FieldMemory::default();
         self.scripts.clear();
     }
 
@@ -329,6 +333,11 @@ impl<'a> Machine<'a> {
 
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
-        self.field_of(&value, subject.span, name, place)
+        if let Some(known) = self.fields.find(&value, name) {
+            return Ok(known);
+        }
+        let found = self.field_of(&value, subject.span, name, place)?;
+        self.fields.keep(value, name, &found);
+        Ok(found)
     }
 }

@@ -35,7 +35,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let diagnostics = std::mem::take(&mut loaded.diagnostics);
     let machine =
         Machine::new(loaded.env(settings), Globals::new(&loaded.program, "", settings.recall));
-    let LoadedScript { document, unit, ref library, ref program, .. } = loaded;
+    let LoadedScript { ref document, unit, ref library, ref program, .. } = loaded;
     let mut run = FileRun { machine, settings, program, diagnostics, document };
     run.definitions();
     let definitions = run.defined();

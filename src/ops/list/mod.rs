@@ -36,7 +36,7 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::{Ceiling, work},
     value::{
-        Callback, CommonDimension, Ctx, FromValue, List, Number, Op, Real, Value, Vector, Witness,
+        Callback, CommonDimension, Ctx, Dimension, FromValue, List, Number, Op, Real, Value, Vector, Witness,
         WitnessOf,
     },
 };
@@ -87,14 +87,17 @@ enum Total {
 }
 
 /// The sum of numbers or points.
-fn total(items: &[Value], span: Span) -> Result<Total> {
+fn total(items: &List, span: Span) -> Result<Total> {
+    if let Some((values, dim)) = items.numbers() {
+        return total_of_numbers(values, dim, span).map(Total::Number);
+    }
     let stranger = |item: &Value| {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
         Box::new(Diagnostic::error(Code::WrongKind, span, message))
     };
     let (mut value, mut dim) = (Real::Plain(0.0), CommonDimension::default());
     let mut point = Vector::Plain(DVec3::ZERO);
-    let items = if work::passes(items.len()) { items } else { &[] };
+    let items: &[Value] = if work::passes(items.len()) { items } else { &[] };
     for (i, item) in items.iter().enumerate() {
         match (item.kind(), items[0].kind()) {
             ("number", "number") => {
@@ -121,6 +124,18 @@ fn total(items: &[Value], span: Span) -> Result<Total> {
         Some("point") => Total::Point(point),
         _ => Total::Number(Number { value: finite(value, span)?, dim: dim.dimension() }),
     })
+}
+
+/// The sum of numbers of one dimension, which are not spelled out as values for it.
+fn total_of_numbers(values: &[f64], dim: Dimension, span: Span) -> Result<Number<Real>> {
+    let values = if work::passes(values.len()) { values } else { &[] };
+    let mut common = CommonDimension::default();
+    let mut sum = 0.0;
+    for &value in values {
+        common.take(Number { value, dim }).map_err(|dims| mismatch(dims, span))?;
+        sum += value;
+    }
+    Ok(Number { value: finite(Real::Plain(sum), span)?, dim: common.dimension() })
 }
 
 /// The first element that passes a test, or fails it; the claim that asks is told.

@@ -150,13 +150,13 @@ impl NurbsCurve {
         let mut signs = Signs::default();
         let height = |t: f64| (self.point_at(t) - plane.origin()).dot(plane.z());
         let mut candidates = self.knots().breaks();
+        let rounding = LAST_BIT * self.magnitude();
         for piece in self.decompose() {
             let heights: Vec<f64> = piece
                 .control_points()
                 .iter()
                 .map(|point| (point.truncate() - plane.origin() * point.w).dot(plane.z()))
                 .collect();
-            let rounding = LAST_BIT * self.magnitude();
             signs.follow(piece.domain(), &heights, rounding);
         }
         candidates.extend(self.extrema(plane.z(), tolerance));
