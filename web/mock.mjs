@@ -141,7 +141,7 @@ function state() {
   const number = (name, value, fallback, least, most, step, unit, label) => ({ name, label, docs: `How ${label.toLowerCase()} it is.`, kind: unit ? "length" : "number", value: `${value}${unit ?? ""}`, default: `${fallback}${unit ?? ""}`, number: value, least, most, step, unit, choices: null, isSet: value !== fallback });
   const plain = (name, kind, value, fallback, choices = null) => ({ name, label: null, docs: null, kind, value: String(value), default: String(fallback), number: null, least: null, most: null, step: null, unit: null, choices, isSet: value !== fallback });
   return {
-    version, script: "mock.geo", unit: "mm", millimetres: 1, tolerance: 1e-3, isCurrent: !isBroken, bounds: [[-31, -20, -4], [34, 12, 16]], items,
+    version, script: "mock.geo", unit: "mm", millimetres: 1, tolerance: 1e-3, isCurrent: !isBroken, isPartial: false, bounds: [[-31, -20, -4], [34, 12, 16]], items,
     parameters: [
       number("height", values.height, 12, 4, 20, null, "mm", "Height of the wave"),
       number("rings", values.rings, 5, 1, 9, 1, null, "Rings"),

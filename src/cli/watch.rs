@@ -24,7 +24,7 @@ use super::{
     standard_streams::is_closed,
 };
 use crate::{
-    disk::{Absence, FileChange, ScriptFiles, WatchedFiles},
+    disk::{FileChange, FileStamp, ScriptFiles, WatchedFiles},
     eval::Work,
     limits::work::StopToken,
     session::Report,
@@ -80,10 +80,11 @@ pub(super) fn run(asked: &WatchOptions) -> ExitStatus {
     while !INTERRUPTED.is_stopped() && !is_closed() {
         match change {
             FileChange::Nothing => {}
-            FileChange::Gone(absence) => {
-                let what = match absence {
-                    Absence::Nothing => "is gone",
-                    Absence::Folder => "is a folder now",
+            FileChange::Gone(in_its_place) => {
+                let what = match in_its_place {
+                    FileStamp::Folder => "is a folder now",
+                    FileStamp::Special => "is a pipe or a device now",
+                    FileStamp::File(..) | FileStamp::Absent(_) => "is gone",
                 };
                 let text = format!("{} {what}; the script is waited for", asked.file.display());
                 run.voice().remark(&text);
@@ -189,7 +190,7 @@ fn look(
         match watched.change() {
             FileChange::Nothing => {}
             // It goes on until another script is there.
-            FileChange::Gone(absence) => found = Some(FileChange::Gone(absence)),
+            gone @ FileChange::Gone(_) => found = Some(gone),
             FileChange::Saved(what) => {
                 ending.end_for(&what);
                 found = Some(FileChange::Saved(what));

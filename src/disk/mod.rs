@@ -9,6 +9,6 @@ mod write;
 pub(crate) use folder::entries;
 pub(crate) use read::read_whole;
 pub use read::{Script, ScriptFiles};
-pub(crate) use watched::{Absence, FileChange, FileStamp, WatchedFiles};
+pub(crate) use watched::{FileChange, FileStamp, WatchedFiles};
 pub use write::{OutputTarget, TargetRefusal, replace};
 pub(crate) use write::{StagedFile, overwrite};

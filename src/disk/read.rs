@@ -8,7 +8,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use super::watched::{FileStamp, stamp};
+use super::watched::FileStamp;
 use crate::{export::io_reason, value::Files};
 
 /// The name of standard input on the command line.
@@ -95,7 +95,7 @@ pub struct ScriptFiles {
 }
 
 /// A file that a script asked for.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct AskedFile {
     /// As it was before it was read first.
     stamp: FileStamp,
@@ -118,7 +118,7 @@ impl ScriptFiles {
     /// The files that were asked for, those that are not there among them, as they were then.
     pub(crate) fn stamps(&self) -> Vec<(PathBuf, FileStamp)> {
         let asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
-        asked.iter().map(|(path, file)| (path.clone(), file.stamp)).collect()
+        asked.iter().map(|(path, file)| (path.clone(), file.stamp.clone())).collect()
     }
 
     /// Notes that a file is asked for.
@@ -133,8 +133,8 @@ impl Files for ScriptFiles {
     fn read(&self, path: &str, most: usize) -> Result<Vec<u8>, String> {
         let full = self.folder.join(path);
         // What is written from now on makes it another one.
-        let stamp = stamp(&full);
-        self.note(&full, stamp, false);
+        let stamp = FileStamp::of(&full);
+        self.note(&full, stamp.clone(), false);
         if full.is_dir() {
             return Err(format!("`{path}` is a folder"));
         }

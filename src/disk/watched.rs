@@ -1,7 +1,8 @@
 //! Files that are looked at again and again: which of them is another one now.
 
 use std::{
-    fs,
+    fs::{self, Permissions},
+    io::ErrorKind,
     path::{Path, PathBuf},
     time::{Duration, Instant, SystemTime},
 };
@@ -9,14 +10,34 @@ use std::{
 /// How long the script may be gone before that is told: editors put a new file in the place of the old.
 const MOST_GONE: Duration = Duration::from_millis(24);
 
-/// What tells a file from the one that stood in its place before: when it was written, and its
-/// length; nothing where there is none.
-pub(crate) type FileStamp = Option<(SystemTime, u64)>;
+/// What tells that which is at a path from what was there before.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum FileStamp {
+    /// A file: when it was written, how long it is, and who may read it.
+    File(Option<SystemTime>, u64, Permissions),
+    Folder,
+    /// A pipe or a device.
+    Special,
+    /// Nothing that can be reached.
+    Absent(ErrorKind),
+}
 
-/// What a file is now.
-pub(super) fn stamp(path: &Path) -> FileStamp {
-    let data = fs::metadata(path).ok().filter(fs::Metadata::is_file)?;
-    Some((data.modified().ok()?, data.len()))
+impl FileStamp {
+    /// What is at a path now.
+    pub(super) fn of(path: &Path) -> Self {
+        match fs::metadata(path) {
+            Ok(data) if data.is_file() => {
+                Self::File(data.modified().ok(), data.len(), data.permissions())
+            }
+            Ok(data) if data.is_dir() => Self::Folder,
+            Ok(_) => Self::Special,
+            Err(err) => Self::Absent(err.kind()),
+        }
+    }
+
+    fn is_file(&self) -> bool {
+        matches!(self, Self::File(..))
+    }
 }
 
 /// The script and the files that it reads.
@@ -25,31 +46,25 @@ pub(crate) struct WatchedFiles {
     seen: Vec<(PathBuf, FileStamp)>,
     /// As they were at the last look: who still writes is waited for.
     last: Vec<FileStamp>,
-    /// Since when the script is gone, and what was told of it.
-    gone: Option<(Instant, Option<Absence>)>,
+    /// Since when the script is gone, and what was told to be in its place.
+    gone: Option<(Instant, Option<FileStamp>)>,
     is_first: bool,
-}
-
-/// What is in the place of a script that is gone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Absence {
-    Nothing,
-    Folder,
 }
 
 /// What became of the files.
 pub(crate) enum FileChange {
     Nothing,
-    /// The script is gone.
-    Gone(Absence),
+    /// The script is gone; this is in its place.
+    Gone(FileStamp),
     /// This file is another one.
     Saved(String),
 }
 
 impl WatchedFiles {
     pub(crate) fn new(script: &Path) -> Self {
-        let seen = vec![(script.to_path_buf(), None)];
-        Self { seen, last: vec![None], gone: None, is_first: true }
+        let nothing = FileStamp::Absent(ErrorKind::NotFound);
+        let seen = vec![(script.to_path_buf(), nothing.clone())];
+        Self { seen, last: vec![nothing], gone: None, is_first: true }
     }
 
     /// Looks at the script and these files from now on, which were so when they were read.
@@ -61,24 +76,23 @@ impl WatchedFiles {
             known.unwrap_or(input).clone()
         });
         self.seen = known.first().cloned().into_iter().chain(followed).collect();
-        self.last = self.seen.iter().map(|(_, mark)| *mark).collect();
+        self.last = self.seen.iter().map(|(_, mark)| mark.clone()).collect();
     }
 
     /// What happened since the script was carried out last.
     pub(crate) fn change(&mut self) -> FileChange {
-        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| stamp(path)).collect();
+        let now: Vec<FileStamp> = self.seen.iter().map(|(path, _)| FileStamp::of(path)).collect();
         let is_still = now == self.last || self.is_first;
         self.last.clone_from(&now);
-        if now[0].is_none() {
-            let (since, told) = *self.gone.get_or_insert((Instant::now(), None));
-            let absence = if self.seen[0].0.is_dir() { Absence::Folder } else { Absence::Nothing };
-            if told == Some(absence) || since.elapsed() < MOST_GONE {
+        if !now[0].is_file() {
+            let (since, told) = self.gone.get_or_insert((Instant::now(), None));
+            if told.as_ref() == Some(&now[0]) || since.elapsed() < MOST_GONE {
                 return FileChange::Nothing;
             }
-            self.gone = Some((since, Some(absence)));
+            *told = Some(now[0].clone());
             // When it comes back it is carried out, even if it is the same.
-            self.seen[0].1 = None;
-            return FileChange::Gone(absence);
+            self.seen[0].1 = now[0].clone();
+            return FileChange::Gone(now[0].clone());
         }
         self.gone = None;
         let mut apart = self.seen.iter().zip(&now).filter(|((_, seen), now)| seen != *now);

@@ -1,4 +1,5 @@
-//! A script that is evaluated again and again, with what its last good run drew.
+//! A script that is evaluated again and again, with what its last good run drew; before there is one, with
+//! what is whole of the last.
 
 use std::{collections::BTreeSet, path::Path, sync::Arc};
 
@@ -26,8 +27,17 @@ pub(crate) struct Model {
     had: BTreeSet<String>,
     /// The last run.
     pub(crate) last: Option<Arc<Report>>,
-    /// The last good run.
-    good: Option<(Arc<Report>, Arc<Scene>)>,
+    /// The run whose items are shown: the last good one.
+    drawn: Option<DrawnRun>,
+}
+
+/// A run with its items.
+#[derive(Debug)]
+struct DrawnRun {
+    report: Arc<Report>,
+    scene: Arc<Scene>,
+    /// Whether the script had errors: what evaluated is shown until it has none for the first time.
+    is_partial: bool,
 }
 
 /// A run that is wanted.
@@ -67,7 +77,7 @@ impl Model {
             schema: None,
             had: BTreeSet::new(),
             last: None,
-            good: None,
+            drawn: None,
         }
     }
 
@@ -109,7 +119,7 @@ impl Model {
         self.last = Some(Arc::clone(&report));
         let has_errors = 0 < report.count(Severity::Error);
         let mut scene = None;
-        if !has_errors {
+        if !has_errors || self.drawn.as_ref().is_none_or(|drawn| drawn.is_partial) {
             match Scene::of(&report, &self.session, &mut self.memory) {
                 Some(made) => scene = Some(Arc::new(made)),
                 None if (run.is_stale)() => return None,
@@ -118,7 +128,8 @@ impl Model {
         }
         let was_stopped = !has_errors && scene.is_none();
         if let Some(scene) = scene {
-            self.good = Some((Arc::clone(&report), scene));
+            let report = Arc::clone(&report);
+            self.drawn = Some(DrawnRun { report, scene, is_partial: has_errors });
             self.memory.settle();
         }
         let lost = if has_errors { Vec::new() } else { self.lost(place.settings) };
@@ -164,12 +175,13 @@ impl Model {
     }
 
     fn shown(&self, place: RunPlace<'_>, told: RunOutcome<'_>) -> Shown {
-        let good = self.good.as_ref();
+        let drawn = self.drawn.as_ref();
         let json = state::json(
             &state::Setup {
                 place,
                 schema: self.schema.as_ref(),
-                good: good.map(|(report, scene)| (&**report, &**scene)),
+                drawn: drawn.map(|drawn| (&*drawn.report, &*drawn.scene)),
+                is_partial: drawn.is_some_and(|drawn| drawn.is_partial),
             },
             &told,
         );
@@ -180,8 +192,8 @@ impl Model {
             version: place.version,
             is_current: told.is_current,
             state: json.to_string().into_bytes(),
-            scene: good.map(|(_, scene)| Arc::clone(scene)).unwrap_or_default(),
-            report: good.map(|(report, _)| Arc::clone(report)),
+            scene: drawn.map(|drawn| Arc::clone(&drawn.scene)).unwrap_or_default(),
+            report: drawn.map(|drawn| Arc::clone(&drawn.report)),
             parameters: self.schema.as_ref().map(names).unwrap_or_default(),
             lost: Vec::new(),
             inputs: Vec::new(),

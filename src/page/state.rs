@@ -19,8 +19,10 @@ use crate::{
 pub(super) struct Setup<'a> {
     pub(super) place: RunPlace<'a>,
     pub(super) schema: Option<&'a Schema>,
-    /// The last good run, whose items are shown.
-    pub(super) good: Option<(&'a Report, &'a Scene)>,
+    /// The run whose items are shown.
+    pub(super) drawn: Option<(&'a Report, &'a Scene)>,
+    /// Whether that one had errors.
+    pub(super) is_partial: bool,
 }
 
 /// What a run came to.
@@ -36,7 +38,7 @@ pub(super) struct RunOutcome<'a> {
 
 /// The whole state.
 pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
-    let document = setup.good.map(|(report, _)| report.document);
+    let document = setup.drawn.map(|(report, _)| report.document);
     let (unit, tolerance) =
         document.map_or(("mm", None), |(unit, tolerance)| (unit.name(), Some(tolerance.distance)));
     let millimetres = document.and_then(|(unit, _)| unit.millimetres()).unwrap_or(1.0);
@@ -51,8 +53,9 @@ pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
         "millimetres": millimetres,
         "tolerance": tolerance,
         "isCurrent": told.is_current,
-        "bounds": bounds_json(setup.good.and_then(|(_, scene)| scene.bounds)),
-        "items": setup.good.map_or_else(|| json!([]), |(report, scene)| items(report, scene)),
+        "isPartial": setup.is_partial,
+        "bounds": bounds_json(setup.drawn.and_then(|(_, scene)| scene.bounds)),
+        "items": setup.drawn.map_or_else(|| json!([]), |(report, scene)| items(report, scene)),
         "parameters": parameters::json(setup.schema, told.report, setup.place.settings),
         "checks": of_run(checks),
         "prints": of_run(prints),
@@ -69,7 +72,7 @@ pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
 /// The state before the first run.
 pub(super) fn empty(script: &Path, out: &Path) -> Json {
     let place = RunPlace { version: 0, script, out, settings: &[] };
-    let setup = Setup { place, schema: None, good: None };
+    let setup = Setup { place, schema: None, drawn: None, is_partial: false };
     json(
         &setup,
         &RunOutcome { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] },
@@ -178,7 +181,8 @@ fn diagnostics(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
         let found = |found: &Diagnostic| finding(found, &report.sources);
         all.extend(report.diagnostics.iter().map(found));
     }
-    if let Some((report, scene)) = setup.good.filter(|_| told.is_current) {
+    let is_of_run = |report: &Report| told.report.is_some_and(|its| std::ptr::eq(its, report));
+    if let Some((report, scene)) = setup.drawn.filter(|(report, _)| is_of_run(report)) {
         let undrawn = scene.troubles.iter();
         all.extend(
             undrawn.map(|(span, text)| trouble("warning", text, place(*span, &report.sources))),

@@ -4,7 +4,7 @@ import { type Command, listenToKeys } from "./commands";
 import type { Door, State } from "./door/door";
 import { DeviationMap } from "./model/deviation";
 import { Document, type Hit } from "./model/document";
-import { SettingsSignal, type Shade } from "./model/settings";
+import { NARROW, SettingsSignal, type Shade } from "./model/settings";
 import { ClaimsPanel, diagnosticsPanel } from "./panels/claims";
 import { copy, el, say } from "./panels/dom";
 import { expressionOf, FactsPanel } from "./panels/facts";
@@ -64,13 +64,15 @@ export class App {
     );
     this.view.append(
       overlay(doc, stage, settings),
-      triad(stage),
-      scaleBar(doc, stage, settings),
-      stripesCaption(stage, settings),
-      legend(doc, stage, settings, deviation),
-      this.greeting(),
-      this.toast(),
-      diagnosticsPanel(doc),
+      // What stands before the picture shares its room, so that nothing covers anything else.
+      el(
+        "div",
+        { class: "front" },
+        el("div", { class: "front-top" }, legend(doc, stage, settings, deviation), this.greeting(), triad(stage)),
+        this.toast(),
+        el("div", { class: "front-foot" }, scaleBar(doc, stage, settings), stripesCaption(stage, settings)),
+        diagnosticsPanel(doc),
+      ),
     );
     host.append(toolbar.root, el("div", { class: "work" }, left, this.view, right), this.help);
     this.unveil(left, right);
@@ -99,13 +101,13 @@ export class App {
     if (doc.hit.value === hit) doc.hit.set(found);
   }
 
-  /** Asks anew for the places that stand marked, where their items have changed. */
+  /** Asks anew for the places that stand marked: an item that is drawn as it was may differ in what single precision hides. */
   private askAgain(): void {
     const { doc } = this;
     const items = new Map(doc.items().map((item) => [item.path, item]));
     const renew = (hit: Hit): Hit | null => {
       const item = items.get(hit.path);
-      if (!item || item.key === hit.item.key) return item ? hit : null;
+      if (!item || item === hit.item) return item ? hit : null;
       return { ...hit, item };
     };
     const old = [...doc.marks.value, ...(doc.hit.value ? [doc.hit.value] : [])];
@@ -320,12 +322,20 @@ export class App {
     const { settings } = this;
     const group = "Page";
     return [
-      { id: "left-panel", title: "Model and parameters", keys: ["["], group, icon: "left", isOn: () => settings.value.leftPanel, run: () => settings.toggle("leftPanel") },
-      { id: "right-panel", title: "Analysis and claims", keys: ["]"], group, icon: "right", isOn: () => settings.value.rightPanel, run: () => settings.toggle("rightPanel") },
+      { id: "left-panel", title: "Model and parameters", keys: ["["], group, icon: "left", isOn: () => settings.value.leftPanel, run: () => this.togglePanel("leftPanel", "rightPanel") },
+      { id: "right-panel", title: "Analysis and claims", keys: ["]"], group, icon: "right", isOn: () => settings.value.rightPanel, run: () => this.togglePanel("rightPanel", "leftPanel") },
       { id: "photo", title: "Save a picture (PNG)", keys: ["s"], group, icon: "photo", run: () => savePicture(this) },
       { id: "theme", title: "Light or dark", keys: ["t"], group, icon: "theme", run: () => settings.put({ theme: document.documentElement.dataset.theme === "dark" ? "light" : "dark" }) },
       { id: "help", title: "All keys", keys: ["?"], group, icon: "help", run: () => (this.help.open ? this.help.close() : this.help.showModal()) },
     ];
+  }
+
+  /** Opens or closes a panel; the other one closes where there is no room for both. */
+  private togglePanel(name: "leftPanel" | "rightPanel", other: "leftPanel" | "rightPanel"): void {
+    const { settings } = this;
+    const isOpen = !settings.value[name];
+    const isNarrow = (this.view.parentElement?.clientWidth ?? innerWidth) <= NARROW;
+    settings.put({ [name]: isOpen, ...(isOpen && isNarrow ? { [other]: false } : {}) });
   }
 
   private toggleMeasuring(): void {

@@ -109,6 +109,38 @@ run("an empty script says so, and what is written then is seen", "", async (page
   await until(page, () => window.virote.items.length === 0 && !document.querySelector(".greeting").hidden);
 });
 
+const BROKEN = `${BALL}surface lid = sphere((60, 0, 0), q)\n`;
+
+run("a script with an error from the start shows what is whole, greyed, and the whole once it is there", BROKEN, async (page, served) => {
+  const told = () => page.$eval(".diagnostics", (element) => element.textContent);
+  assert.deepEqual(await paths(page), ["ball"]);
+  assert.equal(await page.evaluate(() => window.virote.isCurrent), false);
+  assert.match(await told(), /1 error · what has no errors is shown.*line 4/);
+  assert.match(await page.$eval('[data-section="parameters"]', (section) => section.textContent), /once the script is whole/);
+  assert.equal((await colorAt(page, [0, -10, 0]))[3], 255);
+  served.save(BROKEN.replace("q)", "10)"));
+  await until(page, () => window.virote.items.length === 2 && window.virote.isCurrent && window.virote.isReady);
+  assert.equal((await colorAt(page, [60, -10, 0]))[3], 255, "the camera has gone to all of it");
+  const whole = await colorAt(page, [0, -10, 0]);
+  served.save(BROKEN);
+  await until(page, () => !window.virote.isCurrent && window.virote.isReady);
+  assert.deepEqual(await paths(page), ["ball", "lid"]);
+  assert.match(await told(), /the model is that of the last good run/);
+  assert.notDeepEqual(await colorAt(page, [0, -10, 0]), whole, "greyed");
+});
+
+const WRITTEN = `${BALL}surface wave = parametric((u, v) => (20 + u, v, u * v), 0..4, 0..4)\nsurface core = ball with (hidden = true)\n`;
+
+run("what an edit evaluates to what it was is not sent again", WRITTEN, async (page, served) => {
+  await page.evaluate(() => document.querySelector('.tree-row[data-path="core"] .eye').click());
+  await until(page, () => window.virote.items.length === 3);
+  const known = await page.evaluate(() => ({ version: window.virote.stateVersion, n_fetched: window.virote.n_fetched, keys: window.virote.items.map(({ key }) => key) }));
+  served.save(WRITTEN.replace("10)", "5 + 5)").replace("u * v", "v * u"));
+  await until(page, (version) => window.virote.stateVersion > version && window.virote.isReady, known.version);
+  const after = await page.evaluate(() => ({ n_fetched: window.virote.n_fetched, keys: window.virote.items.map(({ key }) => key) }));
+  assert.deepEqual(after, { n_fetched: known.n_fetched, keys: known.keys });
+});
+
 run("a surface of a single point is no fault", "surface s = bilinear((1, 2, 3), (1, 2, 3), (1, 2, 3), (1, 2, 3))\npoint p = (1, 2, 3)\ncurve c = line((1, 2, 3), (1, 2, 3.000001))\n", async (page) => {
   for (const shade of ["gauss", "zebra", "plain"]) await page.click(`[data-shade="${shade}"]`);
   for (const id of ["combs", "control", "knots", "normals", "wireframe", "section", "shell"]) {

@@ -42,6 +42,7 @@ export async function closeBrowser() {
 /** An empty page; its errors are collected in `page.faults`. */
 export async function newPage(size = { width: 1200, height: 700 }) {
   const page = await browser.newPage();
+  page.setDefaultNavigationTimeout(WAIT.timeout);
   page.faults = [];
   page.on("pageerror", (fault) => page.faults.push(fault.message));
   page.on("console", (message) => {

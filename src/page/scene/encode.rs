@@ -6,7 +6,7 @@ use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
 use super::{
-    bytes::{ItemWriter, numbers_of},
+    bytes::{ItemWriter, digest, numbers_of},
     parts::Shape,
 };
 use crate::{
@@ -42,6 +42,11 @@ pub(crate) struct EncodedItem {
 }
 
 impl EncodedItem {
+    /// A key that stands for its bytes, whatever they were made from.
+    pub(super) fn key(&self) -> Arc<str> {
+        format!("{:032x}", digest(&self.bytes)).into()
+    }
+
     /// The parameters of each vertex of a surface.
     pub(crate) fn parameters(&self) -> Option<Vec<[f64; 2]>> {
         let numbers = numbers_of(&self.bytes, "parameters", 2)?;

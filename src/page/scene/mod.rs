@@ -8,11 +8,13 @@ mod memory;
 mod meshes;
 mod parts;
 
-use std::sync::Arc;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use serde_json::json;
 
-use self::deferred::DeferredItems;
 pub(crate) use self::{
     deferred::ItemSource,
     encode::{EncodedItem, Fineness},
@@ -46,36 +48,13 @@ pub(crate) struct SceneItem {
     pub(crate) source: ItemSource,
 }
 
-/// The items of a script that has no errors.
+/// The items of a script, as far as it has no errors.
 #[derive(Debug, Default)]
 pub(crate) struct Scene {
     pub(crate) items: Vec<SceneItem>,
     /// What could not be drawn, each a sentence with the place of its definition.
     pub(crate) troubles: Vec<(Span, String)>,
     pub(crate) bounds: Option<Bounds>,
-}
-
-/// The items of one definition, remembered by its identity.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct DefinitionItems {
-    /// Each with the number of its piece among all of the definition.
-    items: Vec<(usize, Piece, ItemSource)>,
-    troubles: Vec<String>,
-}
-
-impl DefinitionItems {
-    /// Pieces that are made when somebody asks for them.
-    fn deferred(pieces: Vec<Piece>, fineness: &Fineness) -> Self {
-        let all = Arc::new(DeferredItems::new(pieces, *fineness));
-        let source = |i: usize| ItemSource::Deferred(Arc::clone(&all), i);
-        let items = all.pieces.iter().enumerate();
-        let items = items.map(|(i, piece)| (i, piece.clone(), source(i))).collect();
-        Self { items, troubles: Vec::new() }
-    }
-
-    fn is_deferred(&self) -> bool {
-        self.items.iter().any(|(_, _, source)| matches!(source, ItemSource::Deferred(..)))
-    }
 }
 
 /// A definition on its way into the scene.
@@ -100,6 +79,7 @@ impl Scene {
         let definitions = definitions(report);
         let mut scene = Self { bounds: memory.whole(&definitions), ..Self::default() };
         let fineness = fineness(report, session, scene.bounds);
+        definitions.iter().for_each(|its| memory.inherit(its, &fineness));
         let missing: Vec<&SceneDefinition<'_>> = definitions
             .iter()
             .filter(|its| !memory.knows(its.identity, &fineness, its.is_shown))
@@ -119,7 +99,7 @@ impl Scene {
             within_ceilings(session, || encode::encoded(&piece.shape, mesh, &fineness))
         })?;
         for definition in &missing {
-            memory.keep(definition.identity, &fineness, DefinitionItems::default());
+            memory.begin(definition.identity, &fineness);
         }
         for ((identity, piece, _), item) in parts.into_iter().zip(encoded) {
             memory.add(identity, &fineness, piece, item);
@@ -135,13 +115,14 @@ impl Scene {
         memory: &mut ItemMemory,
         fineness: &Fineness,
     ) {
+        let mut n_alike: BTreeMap<Arc<str>, usize> = BTreeMap::new();
         for definition in definitions {
-            let Some((base, kept)) = memory.take(definition.identity, fineness) else { continue };
+            let Some(kept) = memory.take(definition, fineness) else { continue };
             let name = &definition.defined.name;
             let span = definition.defined.span;
             let troubles = kept.troubles.iter().map(|text| format!("`{name}{text}"));
             self.troubles.extend(troubles.map(|text| (span, text)));
-            for (i, piece, source) in &kept.items {
+            for item in kept.items {
                 if MOST_ITEMS <= self.items.len() {
                     let text = format!(
                         "the scene has more than {MOST_ITEMS} items; the rest is not drawn"
@@ -149,13 +130,20 @@ impl Scene {
                     self.troubles.push((span, text));
                     return;
                 }
+                // Whoever asks for one of two alike means that one.
+                let n_before = n_alike.entry(Arc::clone(&item.key)).or_default();
+                let key = match *n_before {
+                    0 => item.key,
+                    n => format!("{}-{n}", item.key).into(),
+                };
+                *n_before += 1;
                 self.items.push(SceneItem {
-                    key: format!("{base}-{i:x}").into(),
+                    key,
                     definition: definition.number,
-                    piece: piece.clone(),
+                    piece: item.piece,
                     is_exported: definition.is_exported,
                     is_shown: definition.is_shown,
-                    source: source.clone(),
+                    source: item.source,
                 });
             }
         }
@@ -197,10 +185,14 @@ fn deferred<'a, 'd>(
         if !pieces.iter().any(|piece| piece.shape.is_tessellated()) {
             return true;
         }
-        memory.keep(definition.identity, fineness, DefinitionItems::deferred(pieces, fineness));
+        memory.defer(definition.identity, fineness, pieces);
         false
     };
-    missing.into_iter().filter(now).collect()
+    let mut now: Vec<_> = missing.into_iter().filter(now).collect();
+    // Definitions with one text have one identity.
+    let mut known = BTreeSet::new();
+    now.retain(|definition| known.insert(definition.identity));
+    now
 }
 
 /// How fine a scene of this size is drawn. The size is a power of two, so that what grows a little

@@ -17,7 +17,7 @@ use crate::{
 const MOST_PIECES: usize = 1000;
 
 /// Geometry that is drawn as one item.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Shape {
     Surface(Surface),
     Face(Arc<Face>),
@@ -33,7 +33,7 @@ pub(crate) enum Shape {
 }
 
 /// A piece of a definition.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Piece {
     /// Its path from the definition on, such as `[2]`; empty for all of it.
     pub(crate) path: String,

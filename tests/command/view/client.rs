@@ -48,8 +48,13 @@ impl View {
     }
 
     pub(super) fn start(scratch: Scratch, args: &[&str]) -> Self {
+        Self::of_file(scratch, "model.geo", args)
+    }
+
+    /// Shows the script of this name in the folder.
+    pub(super) fn of_file(scratch: Scratch, name: &str, args: &[&str]) -> Self {
         let mut child = virote(&scratch.0)
-            .args(["view", "model.geo", "--no-open"])
+            .args(["view", name, "--no-open"])
             .args(args)
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())

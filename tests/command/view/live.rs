@@ -43,6 +43,39 @@ fn an_error_leaves_the_last_model_and_goes_when_it_is_mended() {
 }
 
 #[test]
+fn a_script_that_never_was_whole_shows_what_is() {
+    let script = "surface ball = sphere((0, 0), 3)\nsurface lid = sphere((0, 0), q)\n\
+                  curve rim = circle(lid.center, 2)\nlet n = 1 + \"a\"\n";
+    let view = View::of("partial", script);
+    let first = view.until("run", |state| 0 < state["version"].as_u64().unwrap_or(0));
+    assert_eq!([&first["isCurrent"], &first["isPartial"]], [&json!(false), &json!(true)]);
+    assert_eq!(first["items"].as_array().map(Vec::len), Some(1), "{first:#}");
+    assert_eq!(told(&first, "ball")["bounds"][1], json!([3.0, 3.0, 3.0]));
+    let errors = first["diagnostics"].as_array().expect("a list");
+    assert_eq!(errors.iter().map(|one| &one["line"]).collect::<Vec<_>>(), [2, 4]);
+    // Questions about it are answered, and files are not written.
+    let ask = json!({ "item": key(&first, "ball"), "u": 0.1, "v": 0.2 });
+    assert_eq!(view.post("/api/ask", &ask).json()["definition"], json!("ball"));
+    assert_eq!(view.post("/api/export", &json!({ "what": "script" })).status, 400);
+    // Until it is whole the newest counts.
+    view.save(&script.replace("sphere((0, 0), q)", "sphere((9, 0), 1)"));
+    let second = view.after(&first);
+    assert_eq!([&second["isCurrent"], &second["isPartial"]], [&json!(false), &json!(true)]);
+    assert_eq!(key(&second, "ball"), key(&first, "ball"));
+    assert_eq!(told(&second, "lid")["bounds"][1], json!([10.0, 1.0, 1.0]));
+    view.save("surface ball = sphere((0, 0), 3)\n");
+    let whole = view.after(&second);
+    assert_eq!([&whole["isCurrent"], &whole["isPartial"]], [&json!(true), &json!(false)]);
+    assert_eq!(key(&whole, "ball"), key(&first, "ball"));
+    // Then it stays, also where more of the next one is whole.
+    view.save(&format!("surface more = sphere((0, 0), 4)\n{script}"));
+    let broken = view.after(&whole);
+    assert_eq!([&broken["isCurrent"], &broken["isPartial"]], [&json!(false), &json!(false)]);
+    assert_eq!(broken["items"].as_array().map(Vec::len), Some(1));
+    assert_eq!(told(&broken, "ball")["bounds"][1], json!([3.0, 3.0, 3.0]));
+}
+
+#[test]
 fn a_check_that_fails_is_told_and_shown() {
     let view = View::of("check", "curve c = circle((0, 0), 1)\ncheck length(c) == 6 \"round\"\n");
     let state = view.current();

@@ -2,6 +2,7 @@
 
 mod attacks;
 mod client;
+mod files;
 mod live;
 mod questions;
 mod scene;

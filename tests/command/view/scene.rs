@@ -133,6 +133,94 @@ fn an_edit_changes_only_the_keys_of_what_it_touches() {
     assert_eq!(view.get(&old).status, 404);
 }
 
+/// A script of every kind of item, with a number that they follow from, and of which one is exported.
+fn of_all_kinds(size: &str) -> String {
+    format!(
+        "param r = {size}\n\
+         surface ball = sphere((0, 0), r)\n\
+         surface wave = parametric((u, v) => (u * r, v, sin(u)), 0..1, 0..1)\n\
+         curve ring = circle((0, 0), r)\n\
+         curve spiral = parametric(t => (r * cos(t), sin(t), t), 0..6)\n\
+         mesh low = tessellate(ball)\n\
+         points dots = [(r, 0), (0, r)]\n\
+         surfaces row = [sphere((20, 0), r), sphere((40, 0), r / 2)]\n\
+         surface aside = sphere((0, 20), r) with (hidden = true)\n"
+    )
+}
+
+fn keys(state: &serde_json::Value) -> Vec<(String, String)> {
+    let items = state["items"].as_array().expect("items");
+    let text = |its: &serde_json::Value| its.as_str().expect("a text").to_owned();
+    items.iter().map(|item| (text(&item["path"]), text(&item["key"]))).collect()
+}
+
+#[test]
+fn an_edit_that_leaves_the_geometry_leaves_the_keys() {
+    let view = View::of("same", &of_all_kinds("4"));
+    let first = view.current();
+    assert_eq!(keys(&first).len(), 9);
+    // Somebody looks at what waits for that.
+    let aside = view.item(&first, "aside").triangles();
+    let mut last = first.clone();
+    let renamed =
+        of_all_kinds("4").replace("param r =", "param q = 4\nlet r = q +").replace("+ 4", "+ 0");
+    for text in [
+        of_all_kinds("2 + 2"),
+        of_all_kinds("8 / 2 \"a label\""),
+        renamed,
+        of_all_kinds("4 // what it is")
+            .replace("tessellate(ball)", "tessellate(sphere((0, 0), r))"),
+    ] {
+        view.save(&text);
+        last = view.after(&last);
+        assert_eq!(last["isCurrent"], json!(true), "{last:#}");
+        assert_ne!(last["definitions"]["evaluated"], json!(0));
+        assert_eq!(keys(&last), keys(&first), "{text}");
+    }
+    assert_eq!(view.item(&last, "aside").triangles(), aside);
+    // Of a list only the part that is another one is sent.
+    view.save(&of_all_kinds("4").replace("r / 2)", "r / 4)"));
+    let part = view.after(&last);
+    assert_eq!(key(&part, "row[0]"), key(&first, "row[0]"));
+    assert_ne!(key(&part, "row[1]"), key(&first, "row[1]"));
+    // What changes and changes back has the key that it had, which a page may still know.
+    view.save(&of_all_kinds("5"));
+    let other = view.after(&part);
+    let is_old =
+        |(path, key): &(String, String)| keys(&first).contains(&(path.clone(), key.clone()));
+    assert!(!keys(&other).iter().any(is_old), "{other:#}");
+    view.save(&of_all_kinds("4"));
+    let back = view.after(&other);
+    for path in ["ball", "wave", "ring", "spiral", "low", "dots", "row[1]"] {
+        assert_eq!(key(&back, path), key(&first, path), "{path}");
+    }
+}
+
+#[test]
+fn what_waited_until_it_was_shown_keeps_its_key() {
+    let script = "surface ball = sphere((0, 0), 2)\nmesh low = tessellate(ball)\n";
+    let view = View::of("waited", &format!("{script}export low to \"low.stl\"\n"));
+    let first = view.current();
+    view.save(script);
+    let shown = view.after(&first);
+    assert_eq!(told(&shown, "ball")["isShown"], json!(true));
+    assert_eq!(keys(&shown), keys(&first));
+}
+
+#[test]
+fn definitions_with_one_text_are_items_of_their_own() {
+    let view = View::of("twins", "surface a = sphere((0, 0), 2)\nsurface b = sphere((0, 0), 2)\n");
+    let state = view.current();
+    let keys = keys(&state);
+    assert_eq!(keys.iter().map(|(path, _)| path.as_str()).collect::<Vec<_>>(), ["a", "b"]);
+    assert_ne!(keys[0].1, keys[1].1);
+    assert_eq!(view.item(&state, "a").triangles(), view.item(&state, "b").triangles());
+    for path in ["a", "b"] {
+        let ask = json!({ "item": key(&state, path), "u": 0.1, "v": 0.2 });
+        assert_eq!(view.post("/api/ask", &ask).json()["definition"], json!(path));
+    }
+}
+
 #[test]
 fn what_cannot_be_drawn_is_told_and_the_rest_is_drawn() {
     let script =

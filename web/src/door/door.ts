@@ -81,6 +81,8 @@ export interface State {
   millimetres: number;
   tolerance: number | null;
   isCurrent: boolean;
+  /** Whether the script never was whole: the items are those of definitions without errors. */
+  isPartial?: boolean;
   bounds: Box | null;
   items: Item[];
   parameters: Parameter[];

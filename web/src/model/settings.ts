@@ -130,9 +130,12 @@ export class SettingsSignal extends Signal<Settings> {
   }
 }
 
-/** Panels that would lie over the picture, as the style says, begin closed. */
+/** Up to this width both panels lie over the picture, as the style says. */
+export const NARROW = 560;
+
+/** Panels that would lie over the picture begin closed. */
 function ofNarrowWindow(): Partial<Settings> {
-  if (innerWidth <= 560) return { leftPanel: false, rightPanel: false };
+  if (innerWidth <= NARROW) return { leftPanel: false, rightPanel: false };
   return innerWidth <= 760 ? { rightPanel: false } : {};
 }
 

@@ -154,7 +154,7 @@ export function diagnosticsPanel(doc: Document): HTMLElement {
     if (n_errors > 0 !== hadErrors) root.classList.toggle("folded", n_errors === 0);
     hadErrors = n_errors > 0;
     root.classList.toggle("has-errors", hadErrors);
-    say(title, titleOf(all.map((one) => one.severity), state?.isCurrent ?? true));
+    say(title, titleOf(all.map((one) => one.severity), state));
     renew(
       list,
       limited(all, ({ severity, code, message, text, line }) => {
@@ -173,13 +173,15 @@ export function diagnosticsPanel(doc: Document): HTMLElement {
   return root;
 }
 
-function titleOf(severities: string[], isCurrent: boolean): string {
+function titleOf(severities: string[], state: State | null): string {
   const count = (severity: string, one: string): string => {
     const n = severities.filter((each) => each === severity).length;
     return n === 0 ? "" : `${n} ${one}${n === 1 ? "" : "s"}`;
   };
   const parts = [count("error", "error"), count("failure", "failed claim"), count("warning", "warning")].filter(Boolean);
-  return `${parts.join(", ")}${isCurrent ? "" : " · the model is that of the last good run"}`;
+  const isOld = state !== null && !state.isCurrent && state.items.length > 0;
+  const model = state?.isPartial ? "what has no errors is shown" : "the model is that of the last good run";
+  return isOld ? `${parts.join(", ")} · ${model}` : parts.join(", ");
 }
 
 /** Elements of at most so many of a list, with a word about the rest. */

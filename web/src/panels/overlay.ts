@@ -182,6 +182,9 @@ export function stripesCaption(stage: Stage, settings: SettingsSignal): HTMLElem
   return root;
 }
 
+/** Part of the picture's width that the scale may take; where the coarse lines of the grid are farther apart, it tells the fine ones. */
+const SCALE_SHARE = 0.6;
+
 /** The distance of the grid's lines in the document's unit. */
 export function scaleBar(doc: Document, stage: Stage, settings: SettingsSignal): HTMLElement {
   const bar = el("span", { class: "scale-line" });
@@ -189,9 +192,12 @@ export function scaleBar(doc: Document, stage: Stage, settings: SettingsSignal):
   const root = el("div", { class: "scale", title: "Distance of the grid’s lines" }, bar, text);
   stage.afterFrame.add(() => {
     root.hidden = !settings.value.grid;
-    const width = `${(stage.grid.step / stage.rig.perPixel).toFixed(1)}px`;
+    const { step } = stage.grid;
+    const isWide = step / stage.rig.perPixel > SCALE_SHARE * stage.rig.width;
+    const length = isWide ? step / 10 : step;
+    const width = `${(length / stage.rig.perPixel).toFixed(1)}px`;
     if (bar.style.width !== width) bar.style.width = width;
-    say(text, `${figure(stage.grid.step)} ${doc.state.value?.unit ?? ""}`);
+    say(text, `${figure(length)} ${doc.state.value?.unit ?? ""}`);
   });
   return root;
 }

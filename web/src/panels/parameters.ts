@@ -18,7 +18,7 @@ export class ParameterPanel {
   readonly section: Section = section("parameters", "Parameters");
   private readonly controls = new Map<string, Control>();
   private readonly sender: Sender;
-  private readonly empty = el("p", { class: "hint" }, "The script has no param.");
+  private readonly empty = el("p", { class: "hint" });
 
   constructor(private readonly doc: Document) {
     this.sender = new Sender(doc);
@@ -54,6 +54,8 @@ export class ParameterPanel {
       if (body.children[i] !== control.root) body.insertBefore(control.root, body.children[i] ?? null);
       control.show(parameter);
     });
+    // Of a script that never was whole nobody has read them.
+    say(this.empty, state.isCurrent ? "The script has no param." : "The parameters are shown once the script is whole.");
     if (names.size === 0) body.append(this.empty);
     else this.empty.remove();
   }

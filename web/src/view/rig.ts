@@ -34,7 +34,8 @@ export class Rig {
   readonly camera = new Camera();
   pose: Pose = { target: [0, 0, 0], azimuth: -52, elevation: 26, height: 10 };
   isOrthographic = false;
-  private width = 1;
+  /** Of the picture, in pixels. */
+  width = 1;
   private pixels = 1;
   private readonly bounds = new Box3();
 

@@ -63,6 +63,7 @@ export class Stage {
   private readonly leaving: DrawnItem[] = [];
   /** The frame that is wanted, by its number; 0 for none. */
   private asked = 0;
+  /** Whether the camera stays where it is: it has gone to the whole model, or the person has moved it. */
   private hasFitted = false;
   private turning = 0;
   private smoothing = 0;
@@ -173,6 +174,7 @@ export class Stage {
   /** Ends a motion that is under way, because the person takes over. */
   takeOver(): void {
     this.turning++;
+    this.hasFitted ||= this.drawn.size > 0;
   }
 
   pick(x: number, y: number): Hit | null {
@@ -245,7 +247,7 @@ export class Stage {
     // They would hold up the picture of what is there.
     if (unfinished.length > 0) requestAnimationFrame(() => setTimeout(() => this.finish(unfinished)));
     if (!this.hasFitted && !this.box().isEmpty()) {
-      this.hasFitted = true;
+      this.hasFitted = !scene.state.isPartial;
       const box = this.box();
       this.rig.pose = this.rig.fitted(box, flatView(box));
     }
