@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if report.count(Severity::Error) > 0 {
         return Err("the script has errors".into());
     }
-    if let Some(Value::Surface(bowl)) = report.value("bowl").as_deref() {
+    if let Some(Value::Surface(bowl)) = report.value("bowl") {
         println!("the middle of the bowl lies at {}", bowl.point_at(0.5, 0.5)?);
     }
     for event in &report.events {

@@ -3,7 +3,9 @@
 //! Reading order: [`diag`] and [`limits`] are the ground; [`kernel`] is the geometry, [`syntax`]
 //! turns text into a tree; [`value`] is what scripts compute with and how an operation is
 //! declared, [`export`] how geometry becomes files; [`ops`] holds the operations, [`eval`] runs
-//! the tree; [`session`] puts it all together, and the doors ([`cli`], [`render`]) talk to people.
+//! the tree; [`session`] puts it all together, [`docs`] tells of it, [`ide`] answers editors `page` a page that shows a
+//! script, [`render`] draws diagnostics; and the doors ([`cli`], [`disk`], [`lsp`], [`playground`], [`study`], [`view`])
+//! talk to the world.
 //! `ARCHITECTURE.md` has the map.
 
 #[cfg(feature = "cli")]

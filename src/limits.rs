@@ -4,6 +4,7 @@
 
 pub mod stack;
 
+use crate::kernel::ceiling;
 pub use crate::kernel::work;
 
 /// The ceilings of one run.
@@ -38,13 +39,10 @@ pub struct Limits {
     pub steps: u64,
     /// Vertices of one mesh.
     pub mesh_vertices: usize,
-    /// Degree of a curve. Above it, binomial coefficients lose digits and nobody has a use.
+    /// Degree of a curve or surface: [`ceiling::DEGREE`] at most.
     pub degree: usize,
-    /// Control points of one curve or surface.
+    /// Control points of one curve or surface: [`ceiling::CONTROL_POINTS`] at most.
     pub control_points: usize,
-    /// Points that a fit to a tolerance may look at, each time counted, to save control points:
-    /// below a second. Beyond it the tolerance is kept all the same.
-    pub fit_steps: usize,
     /// Bytes of stack of a thread that evaluates: `evaluation_depth` times what a level takes in an
     /// unoptimised build, and as much again. They are reserved, not used.
     pub stack_bytes: usize,
@@ -81,9 +79,8 @@ impl Limits {
         list_length: 10_000_000,
         steps: 200_000_000,
         mesh_vertices: 20_000_000,
-        degree: 100,
-        control_points: 10_000_000,
-        fit_steps: 4_000_000,
+        degree: ceiling::DEGREE,
+        control_points: ceiling::CONTROL_POINTS,
         stack_bytes: 512 << 20,
         input_bytes: 1 << 30,
         import_nesting: 64,
@@ -244,10 +241,10 @@ impl Ceiling {
             "elements of one list"),
         ceiling!(steps: u64, Self::STEPS, most Self::OPEN,
             "steps of evaluation of one definition"),
-        ceiling!(control_points: usize, Self::CONTROL_POINTS, most Self::OPEN,
+        // The geometry makes no more.
+        ceiling!(control_points: usize, Self::CONTROL_POINTS, most ceiling::CONTROL_POINTS as u64,
             "control points of one curve or surface"),
-        // Beyond it binomial coefficients lose their digits.
-        ceiling!(degree: usize, Self::DEGREE, most Limits::DEFAULT.degree as u64,
+        ceiling!(degree: usize, Self::DEGREE, most ceiling::DEGREE as u64,
             "degree of a curve or surface"),
         // A triangle names its corners by four bytes.
         ceiling!(mesh_vertices: usize, Self::MESH_VERTICES, most 1 << 32,

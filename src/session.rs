@@ -20,7 +20,7 @@ mod review;
 mod stop;
 mod test;
 
-use std::{ops::Deref, sync::Arc};
+use std::sync::Arc;
 
 pub use call::Arguments;
 pub use extra::{ControlStyle, Extra, STRIPES};
@@ -90,8 +90,6 @@ pub struct Report {
     pub definitions: Vec<eval::Defined>,
     /// Settings that no parameter takes, each a sentence.
     pub unknown_settings: Vec<String>,
-    /// What parametric curves and surfaces among the values need to answer.
-    pub(crate) kept: eval::KeptGlobals,
     /// Meshes of its files.
     pub(crate) meshes: MeshMemory,
     /// Whether nothing of the script itself lacks a value; of what it imports a part is enough.
@@ -100,24 +98,9 @@ pub struct Report {
     n_untested_errors: usize,
 }
 
-/// A value of a script, with what it needs to answer.
-#[derive(Clone, Debug)]
-pub struct HeldValue {
-    value: Value,
-    kept: eval::KeptGlobals,
-}
-
-impl Deref for HeldValue {
-    type Target = Value;
-
-    fn deref(&self) -> &Value {
-        &self.value
-    }
-}
-
 impl Report {
-    /// The value of a definition, if there is one of this name and it could be evaluated. It answers
-    /// also when the report is gone.
+    /// The value of a definition, if there is one of this name and it could be evaluated. Like every
+    /// value that a report tells it owns what it needs to answer, also when the report is gone.
     ///
     /// ```
     /// use virote::{session::Session, value::{NoFiles, Value}};
@@ -125,14 +108,13 @@ impl Report {
     /// let report = Session::default().run("demo", b"curve c = parametric(t => (t, t^2), 0..1)", &NoFiles, &[]);
     /// let value = report.value("c").expect("it is defined");
     /// drop(report);
-    /// let Value::Curve(curve) = &*value else { panic!("it is a curve") };
+    /// let Value::Curve(curve) = value else { panic!("it is a curve") };
     /// assert_eq!(curve.point_at(0.5)?.y, 0.25);
     /// # Ok::<(), virote::kernel::GeomError>(())
     /// ```
     #[must_use]
-    pub fn value(&self, name: &str) -> Option<HeldValue> {
-        let defined = self.definitions.iter().find(|defined| defined.name == name)?;
-        Some(self.held(defined.value.clone()?))
+    pub fn value(&self, name: &str) -> Option<Value> {
+        self.definitions.iter().find(|defined| defined.name == name)?.value.clone()
     }
 
     /// How many findings are of a severity.
@@ -306,14 +288,12 @@ impl Session {
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);
-        let document_kept = (document, &outcome.kept, &meshes);
-        let events = self.events(outcome.outputs, document_kept, &mut diagnostics);
+        let context = (document, &meshes);
+        let events = self.events(outcome.outputs, context, &mut diagnostics);
         eval::in_order(&mut diagnostics);
         let n_untested_errors = n_errors(&diagnostics);
-        let tested = outcome
-            .tests
-            .into_iter()
-            .map(|test| self.tested(test, document_kept, &mut diagnostics));
+        let tested =
+            outcome.tests.into_iter().map(|test| self.tested(test, context, &mut diagnostics));
         let tests = tested.collect();
         let mut report = Report {
             events,
@@ -321,7 +301,6 @@ impl Session {
             document,
             definitions: outcome.definitions,
             unknown_settings: outcome.unknown_settings,
-            kept: outcome.kept,
             meshes,
             is_whole: outcome.is_whole,
             n_untested_errors,
@@ -343,7 +322,6 @@ impl Session {
             document: (Unit::Mm, Tolerance::DEFAULT),
             definitions: Vec::new(),
             unknown_settings: Vec::new(),
-            kept: eval::KeptGlobals::default(),
             meshes: MeshMemory::default(),
             is_whole: false,
             n_untested_errors,
@@ -381,7 +359,7 @@ impl Session {
     fn events(
         &self,
         outputs: Vec<EffectOutput>,
-        document_kept: plan::PlanContext<'_>,
+        context: plan::PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Vec<Event> {
         let mut events = Vec::new();
@@ -394,7 +372,7 @@ impl Session {
                 EffectOutput::Exported(exported) => {
                     let span = exported.path.span;
                     let planned =
-                        fault::caught(span, || Ok(self.plan(exported, document_kept, diagnostics)));
+                        fault::caught(span, || Ok(self.plan(exported, context, diagnostics)));
                     let planned = planned.unwrap_or_else(|told| {
                         diagnostics.push(*told);
                         None

@@ -21,7 +21,6 @@ use pyo3::{
 use virote::{
     kernel::glam::DVec3,
     limits::Limits,
-    session::HeldValue,
     value::{Dimension, List, Number, Range, Record, Type, Value, radians_of},
 };
 
@@ -33,8 +32,8 @@ pub(crate) fn point(py: Python<'_>, point: DVec3) -> Bound<'_, PyArray1<f64>> {
 }
 
 /// A value of the language as Python has it.
-pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Bound<'py, PyAny>> {
-    Ok(match &**held {
+pub(crate) fn to_python<'py>(py: Python<'py>, held: &Value) -> PyResult<Bound<'py, PyAny>> {
+    Ok(match held {
         Value::None => py.None().into_bound(py),
         Value::Bool(truth) => PyBool::new(py, *truth).to_owned().into_any(),
         Value::Number(number) => PyFloat::new(py, number.value).into_any(),
@@ -50,7 +49,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         Value::Record(record) => {
             let members = PyDict::new(py);
             for (name, member) in record.iter() {
-                members.set_item(name, to_python(py, &held.with(member.clone()))?)?;
+                members.set_item(name, to_python(py, member)?)?;
             }
             members.into_any()
         }
@@ -60,7 +59,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
         | Value::JetCurve(_)
         | Value::JetSurface(_)
         | Value::JetRegion(_)
-        | Value::JetSolid(_) => to_python(py, &held.with(held.looked_at()))?,
+        | Value::JetSolid(_) => to_python(py, &held.looked_at())?,
         Value::Function(_)
         | Value::Curve(_)
         | Value::Surface(_)
@@ -81,7 +80,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &HeldValue) -> PyResult<Boun
 }
 
 /// Numbers and points as arrays, all else as a list.
-fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<'py, PyAny>> {
+fn list<'py>(py: Python<'py>, held: &Value, items: &List) -> PyResult<Bound<'py, PyAny>> {
     let numbers: Option<Vec<f64>> = items
         .values()
         .map(|item| match item {
@@ -107,7 +106,7 @@ fn list<'py>(py: Python<'py>, held: &HeldValue, items: &List) -> PyResult<Bound<
     }
     let all = PyList::empty(py);
     for item in items.values() {
-        all.append(to_python(py, &held.with(item))?)?;
+        all.append(to_python(py, &item)?)?;
     }
     Ok(all.into_any())
 }
@@ -119,20 +118,13 @@ const DEEP: u32 = 8;
 const MOST_DEEP: usize = 100_000;
 
 /// Values on their way in.
+#[derive(Default)]
 pub(crate) struct Intake {
-    /// What they need to answer.
-    pub(crate) kept: HeldValue,
     /// Lists and records around the one that is read.
     depth: u32,
     /// Values that were read, and of these the lists and records that are deep inside.
     n_values: usize,
     n_deep: usize,
-}
-
-impl Default for Intake {
-    fn default() -> Self {
-        Self { kept: HeldValue::from(Value::None), depth: 0, n_values: 0, n_deep: 0 }
-    }
 }
 
 impl Intake {
@@ -180,7 +172,7 @@ pub(crate) fn from_python(
     if given.is_none() {
         return Ok(Value::None);
     }
-    if let Some(value) = held(given, intake) {
+    if let Some(value) = held(given) {
         return Ok(value);
     }
     if is_bool(given) {
@@ -249,11 +241,10 @@ fn type_name(given: &Bound<'_, PyAny>) -> String {
 }
 
 /// What the classes of the package hold.
-fn held(given: &Bound<'_, PyAny>, intake: &mut Intake) -> Option<Value> {
+fn held(given: &Bound<'_, PyAny>) -> Option<Value> {
     let inner = given.getattr_opt("_held").ok()??;
     let inner = inner.cast::<Held>().ok()?;
-    intake.kept.keep(&inner.get().value);
-    Some((*inner.get().value).clone())
+    Some(inner.get().value.clone())
 }
 
 /// A truth value, of Python or of NumPy.

@@ -20,7 +20,6 @@ use virote::{
         Tolerance,
         glam::{DVec3, DVec4},
     },
-    session::HeldValue,
     value::Value,
 };
 
@@ -35,7 +34,7 @@ use crate::{
 /// A value that stays in the library.
 #[pyclass(frozen, module = "virote._virote")]
 pub(crate) struct Held {
-    pub(crate) value: HeldValue,
+    pub(crate) value: Value,
 }
 
 /// Parameters as they come from Python: a flat array.
@@ -71,7 +70,7 @@ pub(crate) fn spline(
         }
     };
     let value = made.map_err(|err| geom_error(py, err))?;
-    Ok(Held { value: HeldValue::from(value) })
+    Ok(Held { value: Value::from(value) })
 }
 
 /// Points as an array of three columns.
@@ -107,21 +106,21 @@ fn inside(domain: Interval, name: &str, given: &Parameters<'_>) -> PyResult<Vec<
 
 impl Held {
     fn curve(&self) -> PyResult<&Curve> {
-        match &*self.value {
+        match &self.value {
             Value::Curve(curve) => Ok(curve),
             other => Err(PyTypeError::new_err(format!("{} is no curve", other.phrase()))),
         }
     }
 
     fn surface(&self) -> PyResult<&Surface> {
-        match &*self.value {
+        match &self.value {
             Value::Surface(surface) => Ok(surface),
             other => Err(PyTypeError::new_err(format!("{} is no surface", other.phrase()))),
         }
     }
 
     fn mesh(&self) -> PyResult<&Mesh> {
-        match &*self.value {
+        match &self.value {
             Value::Mesh(mesh) => Ok(mesh),
             other => Err(PyTypeError::new_err(format!("{} is no mesh", other.phrase()))),
         }
@@ -268,7 +267,7 @@ impl Held {
 
     /// Whether both are splines of the same numbers.
     fn same(&self, other: &Self) -> bool {
-        match (&*self.value, &*other.value) {
+        match (&self.value, &other.value) {
             (Value::Curve(Curve::Nurbs(a)), Value::Curve(Curve::Nurbs(b))) => {
                 a.knots() == b.knots() && a.control_points() == b.control_points()
             }
@@ -296,7 +295,7 @@ impl Held {
     /// same curve or surface again; none of what is no spline.
     fn spline(&self) -> Option<PlainSpline> {
         let flat = |points: &[DVec4]| points.iter().flat_map(DVec4::to_array).collect();
-        match &*self.value {
+        match &self.value {
             Value::Curve(Curve::Nurbs(curve)) => {
                 let knots = vec![curve.knots().as_slice().to_vec()];
                 Some((vec![curve.degree()], knots, flat(curve.control_points())))
@@ -326,7 +325,7 @@ impl Held {
     fn parts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         arrays::load(py)?;
         let parts = PyDict::new(py);
-        match &*self.value {
+        match &self.value {
             Value::Curve(curve) => curve_parts(py, curve, &parts)?,
             Value::Surface(surface) => surface_parts(py, surface, &parts)?,
             Value::Mesh(_) => mesh_parts(py, self.mesh()?, &parts)?,
@@ -348,16 +347,16 @@ impl Held {
             }
             Value::Region(region) => {
                 let borders = py.detach(|| region.borders()).map_err(|err| geom_error(py, err))?;
-                let borders = borders.into_iter().map(|border| {
-                    convert::to_python(py, &self.value.with(Value::Curve(border.into())))
-                });
+                let borders = borders
+                    .into_iter()
+                    .map(|border| convert::to_python(py, &Value::Curve(border.into())));
                 parts.set_item("borders", borders.collect::<PyResult<Vec<_>>>()?)?;
             }
             Value::Face(face) => self.face_parts(py, face, &parts)?,
             Value::Solid(solid) => {
                 let faces = solid.faces().iter().map(|face| {
                     let face = Value::Face(Arc::new(face.clone()));
-                    convert::to_python(py, &self.value.with(face))
+                    convert::to_python(py, &face)
                 });
                 parts.set_item("faces", faces.collect::<PyResult<Vec<_>>>()?)?;
             }
@@ -386,16 +385,15 @@ impl Held {
         parts: &Bound<'_, PyDict>,
     ) -> PyResult<()> {
         let curves = |curves: Vec<NurbsCurve>| {
-            let curves = curves
-                .into_iter()
-                .map(|curve| convert::to_python(py, &self.value.with(Value::Curve(curve.into()))));
+            let curves =
+                curves.into_iter().map(|curve| convert::to_python(py, &Value::Curve(curve.into())));
             curves.collect::<PyResult<Vec<_>>>()
         };
         let tolerance = Tolerance::DEFAULT;
         let edges = py.detach(|| face.edges(tolerance)).map_err(|err| geom_error(py, err))?;
         let loops = py.detach(|| face.loops(tolerance)).map_err(|err| geom_error(py, err))?;
         let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
-        parts.set_item("surface", convert::to_python(py, &self.value.with(surface))?)?;
+        parts.set_item("surface", convert::to_python(py, &surface)?)?;
         parts.set_item("edges", curves(edges)?)?;
         parts.set_item("loops", curves(loops)?)
     }

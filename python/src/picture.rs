@@ -4,7 +4,7 @@ use pyo3::{exceptions::PyValueError, prelude::*};
 use virote::{
     export::{Format, PICTURES, View},
     limits::work::{self, MemoryGauge, StopToken, Watch},
-    session::{HeldValue, PictureContent, Report, Session},
+    session::{PictureContent, Report, Session},
     value::{NoFiles, Value},
 };
 
@@ -65,12 +65,12 @@ pub(crate) fn draw(
 /// A picture in PNG of a value; nothing where it is nothing that can be drawn.
 pub(crate) fn of_value(
     py: Python<'_>,
-    value: &HeldValue,
+    value: &Value,
     size: [usize; 2],
     view: Option<&str>,
 ) -> PyResult<Option<Vec<u8>>> {
     let is_geometry = matches!(
-        **value,
+        value,
         Value::Curve(_)
             | Value::Surface(_)
             | Value::Region(_)
@@ -86,7 +86,7 @@ pub(crate) fn of_value(
     let text = format!("let {ALONE} = 0");
     let mut report = session.run(ALONE, text.as_bytes(), &NoFiles, &[]);
     for defined in &mut report.definitions {
-        defined.value = Some((**value).clone());
+        defined.value = Some(value.clone());
         defined.identity = None;
     }
     let only = &[ALONE.to_owned()];

@@ -22,7 +22,7 @@ use virote::{
     kernel::Tolerance,
     limits::{Ceiling, Limits, work::StopToken},
     render,
-    session::{self, Arguments, Event, HeldValue, Report},
+    session::{self, Arguments, Event, Report},
     syntax::ast::Unit,
     value::{Function, Op, Type, Value},
 };
@@ -225,11 +225,11 @@ fn first_error(py: Python<'_>, report: &Report) -> PyErr {
 /// Arguments as the types of the built-in read them: of several of one name that which the language calls,
 /// by the first argument and the places for all of them.
 fn arguments(
-    callee: &HeldValue,
+    callee: &Value,
     args: &Bound<'_, PyTuple>,
     named: &Bound<'_, PyDict>,
 ) -> PyResult<Arguments> {
-    let Value::Function(Function::Builtin(_, ops)) = &**callee else {
+    let Value::Function(Function::Builtin(_, ops)) = callee else {
         return read(None, args, named);
     };
     let mut taken = None;
@@ -286,11 +286,7 @@ fn read(
         let ty = parameter.map_or(Type::Any, |parameter| parameter.ty);
         by_name.push((name, from_python(&given, ty, &mut intake)?));
     }
-    let kept = intake.kept;
-    Ok(Arguments {
-        positional: positional.into_iter().map(|value| kept.with(value)).collect(),
-        named: by_name.into_iter().map(|(name, value)| (name, kept.with(value))).collect(),
-    })
+    Ok(Arguments { positional, named: by_name })
 }
 
 /// What came of a script.
@@ -329,7 +325,7 @@ impl Results {
 
     /// The value of a definition, or nothing where there is none.
     fn value<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Bound<'py, PyAny>>> {
-        self.report.value(name).map(|held| to_python(py, &held)).transpose()
+        self.report.value(name).map(|value| to_python(py, &value)).transpose()
     }
 
     /// The unit of a definition that is a number; nothing where it has none.
@@ -378,7 +374,7 @@ impl Results {
             _ => None,
         });
         let told = |printed: &Printed| {
-            let value = to_python(py, &self.report.held(printed.value.clone()))?;
+            let value = to_python(py, &printed.value)?;
             Ok((printed.source.clone(), printed.to_string(), value))
         };
         prints.map(told).collect()

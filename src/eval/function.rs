@@ -3,7 +3,7 @@
 use std::sync::{Arc, Weak};
 
 use super::{
-    globals::Globals,
+    globals::{Globals, KeptGlobals},
     ir::{Group, Lambda},
 };
 use crate::value::{Closure, Function, List, Value, ValueExtent};
@@ -14,8 +14,10 @@ pub(crate) struct ScriptFunction {
     pub(crate) group: Arc<Group>,
     pub(crate) idx: usize,
     pub(crate) captures: List,
-    /// The file that it belongs to.
+    /// The file that it belongs to, which holds it.
     pub(crate) home: Weak<Globals>,
+    /// What it owns of the run, once it has left it.
+    pub(crate) kept: Option<KeptGlobals>,
 }
 
 impl ScriptFunction {

@@ -34,10 +34,10 @@ pub(crate) enum Kept {
     Part(Value, ImportFault),
 }
 
-/// Keeps the definitions that functions in values use: while it lives, parametric curves and
-/// surfaces answer.
+/// Keeps the definitions that functions in values use: while it lives, these functions answer, and curves and
+/// surfaces of them.
 #[derive(Clone, Debug, Default)]
-pub struct KeptGlobals {
+pub(crate) struct KeptGlobals {
     homes: Vec<Arc<Globals>>,
 }
 

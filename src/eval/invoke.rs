@@ -6,6 +6,7 @@ use super::{
     env::Env,
     globals::{Globals, KeptGlobals},
     machine::Machine,
+    ownership::{Owner, add_owned},
     settings::Settings,
 };
 use crate::{
@@ -15,14 +16,13 @@ use crate::{
     value::{Call, Value},
 };
 
-/// What the value `callee` answers to a call in a document of this unit and tolerance, what it warns of,
-/// and what the answer needs to answer itself.
+/// What the value `callee` answers to a call in a document of this unit and tolerance, and what it warns of.
 pub(crate) fn invoke(
     callee: &Value,
     call: Call,
     (unit, tolerance): (Unit, Tolerance),
     settings: Settings<'_>,
-) -> (Result<Value>, Vec<Diagnostic>, KeptGlobals) {
+) -> (Result<Value>, Vec<Diagnostic>) {
     let env = Env {
         limits: settings.limits,
         n_threads: settings.n_threads,
@@ -38,7 +38,12 @@ pub(crate) fn invoke(
     let mut machine = Machine::new(env, Arc::<Globals>::default());
     machine.prepare(0);
     let span = call.span;
+    // A curve of a function asks it in the file that made it.
+    let mut kept = KeptGlobals::new(vec![Arc::clone(&machine.home)]);
+    let named = call.named.iter().map(|(_, value)| value);
+    let given = call.positional.iter().chain(named).map(|given| &given.value);
+    given.chain([callee]).for_each(|value| add_owned(value, &mut kept));
     let answer = fault::caught(span, || machine.invoke(callee, call, span));
-    let kept = KeptGlobals::new(vec![machine.home]);
-    (answer.map(|value| value.looked_at()), machine.warnings, kept)
+    let answer = answer.map(|value| Owner::new(&kept).owning(&value.looked_at()));
+    (answer, machine.warnings)
 }

@@ -231,7 +231,7 @@ impl<'a> Machine<'a> {
             })
             .collect();
         let home = Arc::downgrade(&self.home);
-        let function = ScriptFunction { group: Arc::clone(group), idx, captures, home };
+        let function = ScriptFunction { group: Arc::clone(group), idx, captures, home, kept: None };
         Value::Function(Function::Closure(Arc::new(function)))
     }
 

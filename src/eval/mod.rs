@@ -40,6 +40,7 @@ mod name_uses;
 mod number_call;
 mod operator;
 mod outcome;
+mod ownership;
 mod param;
 mod param_dimension;
 mod param_text;
@@ -57,7 +58,6 @@ pub(crate) use appearance::OPTIONS as LOOK_OPTIONS;
 pub(crate) use ceiling::out_of_memory;
 pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
-pub use globals::KeptGlobals;
 pub(crate) use invoke::invoke;
 pub(crate) use ir::param_kinds;
 #[cfg(feature = "cli")]

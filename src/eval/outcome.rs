@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::{claim::Verdict, globals::KeptGlobals, memory::Work};
+use super::{claim::Verdict, memory::Work};
 use crate::{
     diag::{Code, Diagnostic, Span, Spanned, shown},
     kernel::{Tolerance, sorting::sort_by},
@@ -197,8 +197,6 @@ pub struct Outcome {
     pub unit: Unit,
     /// The tolerance.
     pub tolerance: Tolerance,
-    /// What parametric curves and surfaces among the values need to answer.
-    pub kept: KeptGlobals,
 }
 
 /// Puts findings into the order of the source, whatever thread they come from, each once: a

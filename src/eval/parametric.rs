@@ -36,7 +36,7 @@ impl Files for FilesOutOfReach {
     }
 }
 
-/// Fails: whoever kept the result of the script has let go of its definitions.
+/// Fails: whoever kept a part of the definitions has let go of the whole.
 pub(super) fn gone<T>(span: Span) -> Result<T> {
     let message = "the script that this function belongs to is gone";
     Diagnostic::error(Code::FileMissing, span, message).fail()
@@ -53,7 +53,7 @@ pub(super) struct GeometryFunction {
     unit: Unit,
     gauge: MemoryGauge,
     stop: StopToken,
-    /// Whoever keeps the result of the script keeps it alive.
+    /// The file whose function it is, which may hold the curve or surface; what leaves the run keeps it alive.
     home: Weak<Globals>,
 }
 

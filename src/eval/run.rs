@@ -17,6 +17,7 @@ use super::{
     outcome::{
         Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
     },
+    ownership::Owner,
     param::GivenValue,
     schedule,
     settings::{Purpose, Setting, Settings},
@@ -38,20 +39,22 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     let LoadedScript { ref document, unit, ref library, ref program, .. } = loaded;
     let mut run = FileRun { machine, settings, program, diagnostics, document };
     run.definitions();
-    let definitions = run.defined();
-    let outputs = match settings.purpose {
+    let mut definitions = run.defined();
+    let mut outputs = match settings.purpose {
         Purpose::Run | Purpose::Test => run.effects(&[&definitions]),
         Purpose::SomeTests(_) => Vec::new(),
     };
-    let tests = run.tests(&definitions);
+    let mut kept = vec![Arc::clone(&run.machine.home)];
+    let mut tests = run.tests(&definitions, &mut kept);
     let unknown_settings = run.unknown_settings();
     let is_whole = run.is_whole();
     let mut diagnostics = std::mem::take(&mut run.diagnostics);
     diagnostics.append(&mut run.machine.warnings);
     diagnostics.extend(library.take_findings());
     in_order(&mut diagnostics);
-    let mut kept = library.homes();
-    kept.push(Arc::clone(&run.machine.home));
+    kept.extend(library.homes());
+    let kept = KeptGlobals::new(kept);
+    Owner::new(&kept).own(&mut definitions, &mut outputs, &mut tests);
     Outcome {
         definitions,
         outputs,
@@ -61,7 +64,6 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
         is_whole,
         unit,
         tolerance: program.tolerance,
-        kept: KeptGlobals::new(kept),
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{
     claim::shown,
     file_run::FileRun,
+    globals::Globals,
     ir::{EffectKind, Expr, Test},
     machine::Machine,
     outcome::{Defined, ExpectedMistake, TestOutcome},
@@ -14,18 +15,27 @@ use super::{
 use crate::diag::{Code, Diagnostic, Severity};
 
 impl FileRun<'_> {
-    /// Runs the tests that are asked for; `definitions` are those of the file.
-    pub(super) fn tests(&self, definitions: &[Defined]) -> Vec<TestOutcome> {
+    /// Runs the tests that are asked for; `definitions` are those of the file. `homes` are told where their own stay.
+    pub(super) fn tests(
+        &self,
+        definitions: &[Defined],
+        homes: &mut Vec<Arc<Globals>>,
+    ) -> Vec<TestOutcome> {
         let is_wanted = |test: &&Test| match self.settings.purpose {
             Purpose::Run => false,
             Purpose::Test => true,
             Purpose::SomeTests(filter) => filter.takes(&test.name),
         };
         let tests = self.program.tests.iter().filter(is_wanted);
-        tests.map(|test| self.test(test, definitions)).collect()
+        tests.map(|test| self.test(test, definitions, homes)).collect()
     }
 
-    fn test(&self, test: &Test, definitions: &[Defined]) -> TestOutcome {
+    fn test(
+        &self,
+        test: &Test,
+        definitions: &[Defined],
+        homes: &mut Vec<Arc<Globals>>,
+    ) -> TestOutcome {
         let mut tested = TestOutcome {
             name: test.name.to_string(),
             span: test.span,
@@ -39,7 +49,8 @@ impl FileRun<'_> {
         }
         let program = &test.program;
         let home = self.machine.home.of_test(program, self.settings.recall);
-        let machine = Machine::new(self.machine.env, Arc::clone(&home));
+        homes.push(Arc::clone(&home));
+        let machine = Machine::new(self.machine.env, home);
         let mut worker = Worker::new(machine, self.settings.recall);
         let inputs = Inputs { given: &[], registry: self.settings.registry };
         for component in &program.components {

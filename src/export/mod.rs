@@ -6,6 +6,7 @@ mod base64;
 mod csv;
 mod document;
 mod dxf;
+mod error;
 mod exact;
 mod gltf;
 mod iges;
@@ -31,17 +32,13 @@ mod view;
 mod wire;
 mod xml;
 
-use std::{
-    io::{self, Write},
-    sync::Arc,
-};
+use std::{io::Write, sync::Arc};
 
 use glam::DVec3;
-use thiserror::Error;
 
 use crate::{
-    kernel::{Curve, Face, GeomError, Mesh, Region, Solid, Surface, Table, Tolerance},
-    limits::{Limits, work},
+    kernel::{Curve, Face, Mesh, Region, Solid, Surface, Table, Tolerance},
+    limits::Limits,
 };
 
 #[cfg(feature = "cli")]
@@ -49,6 +46,7 @@ pub(crate) use base64::base64;
 #[cfg(feature = "cli")]
 pub(crate) use csv::text_cell as csv_cell;
 pub use document::{DocumentBlock, DocumentCell, DocumentTable, ReportDocument};
+pub use error::{ExportError, io_reason};
 pub use labels::DefinitionLabel;
 pub use legend::Legend;
 pub use limited::capped;
@@ -263,63 +261,6 @@ impl std::fmt::Display for Summary {
             first = false;
         }
         if first { f.write_str("nothing") } else { Ok(()) }
-    }
-}
-
-/// Why a file cannot be written.
-#[derive(Debug, Error)]
-pub enum ExportError {
-    /// The geometry has no answer to what the format needs.
-    #[error("{name}: {source}")]
-    Geometry {
-        /// The item.
-        name: String,
-        /// What is wrong with it.
-        source: GeomError,
-    },
-    /// The format has no place for a property of an item.
-    #[error("{name} {problem}")]
-    Unfit {
-        /// The item.
-        name: String,
-        /// What about it, as the rest of a sentence.
-        problem: String,
-    },
-    /// There is no view of the geometry as it was asked for.
-    #[error(transparent)]
-    Viewpoint(#[from] ViewpointError),
-    /// More bytes than the ceiling.
-    #[error("a file of more than {most} bytes")]
-    TooLarge {
-        /// The ceiling.
-        most: u64,
-    },
-    /// Writing it takes more than it may, or nobody wants the file any more.
-    #[error("the writing was ended")]
-    Ended(work::End),
-    /// The operating system refused.
-    #[error(transparent)]
-    Io(#[from] io::Error),
-}
-
-impl ExportError {
-    /// What went wrong, for a message about the file.
-    #[must_use]
-    pub fn reason(&self) -> String {
-        match self {
-            Self::Io(err) => io_reason(err),
-            other => other.to_string(),
-        }
-    }
-}
-
-/// Why a file cannot be read or written, in the words of whoever reads a message.
-#[must_use]
-pub fn io_reason(err: &io::Error) -> String {
-    match err.kind() {
-        io::ErrorKind::NotFound => "there is no such file".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => err.to_string(),
     }
 }
 

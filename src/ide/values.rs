@@ -153,7 +153,7 @@ fn brief(value: &Value, unit: &'static str) -> Option<String> {
 }
 
 /// Kind and size.
-fn sized(value: &Value) -> String {
+pub(crate) fn sized(value: &Value) -> String {
     match value {
         Value::Record(record) => {
             let labels: Vec<&str> = record.iter().map(|(label, _)| label).collect();

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{HeldValue, Report, Session};
+use super::Session;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned, nearest},
-    eval::{self, KeptGlobals},
+    eval,
     kernel::Tolerance,
     syntax::ast::Unit,
     value::{Call, Files, Function, Value},
@@ -15,17 +15,9 @@ use crate::{
 #[derive(Clone, Debug, Default)]
 pub struct Arguments {
     /// Those without a label.
-    pub positional: Vec<HeldValue>,
+    pub positional: Vec<Value>,
     /// Those with one.
-    pub named: Vec<(String, HeldValue)>,
-}
-
-impl Report {
-    /// A value of this run, such as one that it printed, with what it needs to answer.
-    #[must_use]
-    pub fn held(&self, value: Value) -> HeldValue {
-        HeldValue { value, kept: self.kept.clone() }
-    }
+    pub named: Vec<(String, Value)>,
 }
 
 impl Session {
@@ -33,9 +25,9 @@ impl Session {
     ///
     /// # Errors
     /// E0201, with the name that was meant.
-    pub fn builtin(&self, name: &str) -> Result<HeldValue> {
+    pub fn builtin(&self, name: &str) -> Result<Value> {
         if let Some((name, ops)) = self.registry.get(name) {
-            return Ok(Value::Function(Function::Builtin(name, Arc::clone(ops))).into());
+            return Ok(Value::Function(Function::Builtin(name, Arc::clone(ops))));
         }
         let message = format!("nothing built in is called `{name}`");
         let found = Diagnostic::error(Code::UnknownName, Span::default(), message);
@@ -59,11 +51,11 @@ impl Session {
     ///
     /// let session = Session::default();
     /// let line = session.builtin("line")?;
-    /// let ends = [DVec3::ZERO, DVec3::new(3.0, 4.0, 0.0)].map(|end| Value::Point(end).into());
+    /// let ends = [DVec3::ZERO, DVec3::new(3.0, 4.0, 0.0)].map(|end| Value::Point(end));
     /// let arguments = Arguments { positional: ends.into(), named: Vec::new() };
     /// let document = (Unit::Mm, Tolerance::DEFAULT);
     /// let (answer, warnings) = session.call(&line, arguments, document, &NoFiles);
-    /// let Value::Curve(curve) = &*answer? else { panic!("it is a curve") };
+    /// let Value::Curve(curve) = answer? else { panic!("it is a curve") };
     /// assert_eq!(curve.end(), DVec3::new(3.0, 4.0, 0.0));
     /// assert!(warnings.is_empty());
     /// # Ok::<(), Box<virote::diag::Diagnostic>>(())
@@ -73,59 +65,26 @@ impl Session {
     /// What a script would be told.
     pub fn call(
         &self,
-        function: &HeldValue,
+        function: &Value,
         arguments: Arguments,
         document: (Unit, Tolerance),
         files: &dyn Files,
-    ) -> (Result<HeldValue>, Vec<Diagnostic>) {
+    ) -> (Result<Value>, Vec<Diagnostic>) {
         let Arguments { positional, named } = arguments;
-        let mut kept = function.clone();
-        positional.iter().chain(named.iter().map(|(_, value)| value)).for_each(|value| {
-            kept.keep(value);
-        });
-        let unplaced = |value: &HeldValue| Spanned::unplaced(value.value.clone());
         let call = Call {
             span: Span::default(),
-            positional: positional.iter().map(unplaced).collect(),
+            positional: positional.into_iter().map(Spanned::unplaced).collect(),
             named: named
-                .iter()
+                .into_iter()
                 .map(|(label, value)| {
-                    (Spanned::unplaced(Arc::from(label.as_str())), unplaced(value))
+                    (Spanned::unplaced(Arc::from(label)), Spanned::unplaced(value))
                 })
                 .collect(),
         };
-        let (answer, warnings, home) = self.on_stack(|limits| {
+        self.on_stack(|limits| {
             let settings = self.settings(files, limits);
             let settings = eval::Settings { n_threads: self.n_threads, ..settings };
-            eval::invoke(&function.value, call.clone(), document, settings)
-        });
-        let held = |value: Value| {
-            // A curve of a function asks it in the file that made it.
-            if value.extent().holds_functions {
-                kept.kept.keep(&home);
-            }
-            kept.with(value)
-        };
-        (answer.map(held), warnings)
-    }
-}
-
-/// A value that needs nothing else to answer.
-impl From<Value> for HeldValue {
-    fn from(value: Value) -> Self {
-        Self { value, kept: KeptGlobals::default() }
-    }
-}
-
-impl HeldValue {
-    /// Another value, a part of this one or made from it, that needs the same to answer.
-    #[must_use]
-    pub fn with(&self, value: Value) -> Self {
-        Self { value, kept: self.kept.clone() }
-    }
-
-    /// Keeps what another value needs as well.
-    pub fn keep(&mut self, other: &Self) {
-        self.kept.keep(&other.kept);
+            eval::invoke(function, call.clone(), document, settings)
+        })
     }
 }

@@ -3,8 +3,8 @@
 use std::io::Write;
 
 use crate::{
-    diag::{Code, Diagnostic, Span},
-    eval::{KeptGlobals, out_of_memory},
+    diag::{Diagnostic, Span},
+    eval::out_of_memory,
     export::{ExportError, Format, Job, Summary, capped},
     limits::{
         Ceiling, stack,
@@ -27,8 +27,6 @@ pub struct File {
     pub job: Job,
     /// What writing it may take.
     pub(super) watch: Watch,
-    /// What functions of the script in it need to answer.
-    pub(super) _kept: KeptGlobals,
 }
 
 impl File {
@@ -81,27 +79,26 @@ impl File {
     /// Why the file cannot be written, at its place in the script.
     #[must_use]
     pub fn refusal(&self, err: &ExportError) -> Diagnostic {
-        let found = |code, message| Diagnostic::error(code, self.span, message);
+        let found = |message| Diagnostic::error(err.code(), self.span, message);
         match err {
             ExportError::Geometry { .. }
             | ExportError::Unfit { .. }
-            | ExportError::Viewpoint(_) => found(Code::CannotExport, err.reason()),
+            | ExportError::Viewpoint(_) => found(err.reason()),
             ExportError::TooLarge { .. } => {
-                found(Code::TooLarge, format!("`{}` would be {err}", self.path))
-                    .crossing(Ceiling::OUTPUT_BYTES)
+                found(format!("`{}` would be {err}", self.path)).crossing(Ceiling::OUTPUT_BYTES)
             }
             ExportError::Ended(End::Memory) => out_of_memory(&self.job.limits, self.span),
             ExportError::Ended(End::Steps) => {
                 let most = self.watch.steps;
                 let message = format!("writing `{}` takes more than {most} steps", self.path);
-                found(Code::TooLarge, message).crossing(Ceiling::STEPS)
+                found(message).crossing(Ceiling::STEPS)
             }
             ExportError::Ended(End::Stopped) => {
-                found(Code::Stopped, format!("the writing of `{}` was stopped", self.path))
+                found(format!("the writing of `{}` was stopped", self.path))
             }
             ExportError::Io(_) => {
                 let message = format!("cannot write `{}`: {}", self.path, err.reason());
-                found(Code::CannotWrite, message)
+                found(message)
             }
         }
     }

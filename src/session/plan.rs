@@ -21,16 +21,15 @@ use crate::{
     value::Value,
 };
 
-/// What the files of a script have in common: unit and tolerance, what its functions need to answer, and
-/// meshes that are there already.
-pub(super) type PlanContext<'a> = ((Unit, Tolerance), &'a eval::KeptGlobals, &'a MeshMemory);
+/// What the files of a script have in common: unit and tolerance, and meshes that are there already.
+pub(super) type PlanContext<'a> = ((Unit, Tolerance), &'a MeshMemory);
 
 impl Session {
     /// The file that an export makes; what is wrong with it goes to `diagnostics`.
     pub(super) fn plan(
         &self,
         exported: Exported,
-        ((unit, tolerance), kept, meshes): PlanContext<'_>,
+        ((unit, tolerance), meshes): PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> Option<File> {
         let span = exported.path.span;
@@ -88,7 +87,7 @@ impl Session {
         };
         let (path, names) = (path.ok()?, exported.names);
         let watch = self.watch();
-        Some(File { path, span, names, format, job, watch, _kept: kept.clone() })
+        Some(File { path, span, names, format, job, watch })
     }
 
     /// The file that definitions of a report would be exported to.
@@ -122,7 +121,7 @@ impl Session {
             options: Vec::new(),
         };
         let mut found = Vec::new();
-        let file = self.plan(exported, (report.document, &report.kept, &report.meshes), &mut found);
+        let file = self.plan(exported, (report.document, &report.meshes), &mut found);
         file.map(Box::new).ok_or(found)
     }
 

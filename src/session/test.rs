@@ -81,7 +81,7 @@ impl Session {
     pub(super) fn tested(
         &self,
         tested: eval::TestOutcome,
-        document_kept: PlanContext<'_>,
+        context: PlanContext<'_>,
         diagnostics: &mut Vec<Diagnostic>,
     ) -> TestReport {
         let eval::TestOutcome {
@@ -92,7 +92,7 @@ impl Session {
             is_poisoned,
             is_whole,
         } = tested;
-        let events = self.events(outputs, document_kept, &mut found);
+        let events = self.events(outputs, context, &mut found);
         let has = |severity: Severity| found.iter().any(|found| found.severity == severity);
         let verdict = if is_poisoned || has(Severity::Error) {
             TestVerdict::Wrong

@@ -109,20 +109,11 @@ pub fn open_code(source: &str) -> usize {
 /// The place behind the colon of an interpolation whose code is `source`, if there is one.
 fn format_of(source: &str) -> Option<CompletionPlace<'_>> {
     let lexed = lex(source, 0);
-    let mut depth = 0_usize;
-    for at in 0..lexed.tokens.len() {
-        match lexed.token(at) {
-            token if token.opens() => depth += 1,
-            token if token.closes() => depth = depth.checked_sub(1)?,
-            Token::Colon if depth == 0 => {
-                let colon = lexed.span(at).range();
-                let of = source[..colon.start].trim();
-                return Some(CompletionPlace::Format { start: colon.end, of });
-            }
-            _ => {}
-        }
-    }
-    None
+    let colon = lexed
+        .outside_brackets(0..lexed.tokens.len())
+        .find(|&at| lexed.token(at) == Token::Colon)?;
+    let colon = lexed.span(colon).range();
+    Some(CompletionPlace::Format { start: colon.end, of: source[..colon.start].trim() })
 }
 
 /// The brace of an interpolation that is open at the end of a string's text.

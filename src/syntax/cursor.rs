@@ -63,16 +63,13 @@ pub fn open_call(source: &str, at: usize) -> Option<OpenCall<'_>> {
         labels: Vec::new(),
         statement: statement(&lexed, callee),
     };
-    let mut depth = 0_usize;
-    for token in open + 1..end {
+    for token in lexed.outside_brackets(open + 1..end) {
         match lexed.token(token) {
-            kind if kind.opens() => depth += 1,
-            kind if kind.closes() => depth = depth.saturating_sub(1),
-            Token::Comma if depth == 0 => match found.label.take() {
+            Token::Comma => match found.label.take() {
                 Some(label) => found.labels.push(label),
                 None => found.position += 1,
             },
-            Token::Equals if depth == 0 && lexed.token(token - 1).is_word() => {
+            Token::Equals if lexed.token(token - 1).is_word() => {
                 found.label = Some(lexed.text(token - 1));
             }
             _ => {}

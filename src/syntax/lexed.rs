@@ -58,6 +58,24 @@ impl<'s> Lexed<'s> {
         at == 0 || self.source[before..self.span(at).start as usize].contains('\n')
     }
 
+    /// Those of some tokens that stand in no brackets among these, up to a bracket that closes what opened before them.
+    pub(super) fn outside_brackets(
+        &self,
+        tokens: std::ops::Range<usize>,
+    ) -> impl Iterator<Item = usize> {
+        let depths = tokens.scan(0_usize, |depth, at| {
+            let token = self.token(at);
+            if token.closes() {
+                *depth = depth.checked_sub(1)?;
+                return Some((at, false));
+            }
+            let is_outside = *depth == 0 && !token.opens();
+            *depth += usize::from(token.opens());
+            Some((at, is_outside))
+        });
+        depths.filter(|(_, is_outside)| *is_outside).map(|(at, _)| at)
+    }
+
     /// Whether token `at` is the contextual word `word`.
     pub(super) fn is_word(&self, at: usize, word: &str) -> bool {
         self.token(at) == Token::Name && self.text(at) == word

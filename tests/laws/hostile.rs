@@ -3,8 +3,11 @@
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, proptest, sample::select};
 use virote_kernel::{
-    Curve, Grid, Interval, KnotVector, Mesh, NurbsCurve, NurbsSurface, Side, Tolerance, grid_mesh,
-    make_compatible, tessellate, tessellate_curve,
+    Approximator, CountError, Curve, Ends, Frame, GeomError, Grid, Interpolator, Interval,
+    KnotVector, Lines, Mesh, NurbsCurve, NurbsSurface, Parametrization, Side, Tolerance,
+    approximate, approximate_within, columns_within, find_trajectory, grid_mesh, join_patches,
+    lagrange, make_compatible, surface_within, tessellate, tessellate_curve,
+    work::{self, End, MemoryGauge, StopToken, Watch},
 };
 
 fn number() -> impl Strategy<Value = f64> {
@@ -77,7 +80,79 @@ fn ask_surface(surface: &NurbsSurface) {
     }
 }
 
+/// Whatever fits something to points, with lists of any lengths.
+fn fit(points: &[DVec3], parameters: &[f64], degree: usize, n_control: usize) {
+    let _ = approximate(points, parameters, degree, n_control);
+    for are_fixed in [false, true] {
+        let _ = approximate_within(points, parameters, degree, 1e-3, are_fixed);
+    }
+    let _ = KnotVector::spreading(degree, n_control, parameters);
+    let _ = lagrange(points, parameters);
+    let values: Vec<_> = points.iter().map(|point| point.extend(1.0)).collect();
+    let ends = [Ends::Bessel, Ends::Natural, Ends::Quadratic, Ends::Clamped, Ends::NotAKnot];
+    let ends = ends.into_iter().chain([Ends::Averaged]);
+    let interpolators = ends
+        .map(|ends| Interpolator::new(parameters, degree, ends))
+        .chain(
+            [true, false].map(|has| Interpolator::with_end_slopes(parameters, degree, [has, true])),
+        )
+        .chain([Interpolator::periodic(parameters, degree)])
+        .chain([Interpolator::with_derivatives(parameters, degree)]);
+    for interpolator in interpolators.flatten() {
+        let _ = (interpolator.curve(points), interpolator.with_slopes(&values, &values));
+        let _ = interpolator.curve_with_tangents(points, [DVec3::X; 2]);
+        let _ = interpolator.with_slopes_at_ends(&values, [None, values.first().copied()]);
+    }
+    if let Ok(knots) = KnotVector::uniform_clamped(degree, n_control, 1.0)
+        && let Ok(approximator) = Approximator::new(parameters, knots)
+    {
+        let _ = (approximator.curve(points), approximator.near(&values));
+    }
+    for rule in [Parametrization::Uniform, Parametrization::Chord, Parametrization::Foley] {
+        let _ = (rule.parameters(points), rule.loose_parameters(points));
+    }
+    let _ = (NurbsCurve::hermite(points, &points[..points.len() / 2]), NurbsCurve::bezier(points));
+    for is_closed in [false, true] {
+        let _ = NurbsCurve::uniform(degree, points, is_closed);
+        let _ = NurbsCurve::beta_spline(points, 1.0, 0.0, is_closed);
+    }
+}
+
+/// Whatever fits something to a grid.
+fn fit_grid(grid: &Grid<DVec3>, [u, v]: [&Lines; 2]) {
+    for rule in [Parametrization::Uniform, Parametrization::Chord] {
+        let _ = (rule.mean_parameters(grid), rule.mean_speeds(grid, &[(0, grid.clone())]));
+    }
+    if let Ok(columns) = columns_within(grid, u, 1e-3) {
+        let _ = surface_within(grid, [u, v], &columns, 1e-3);
+        let _ = surface_within(&grid.transposed(), [v, u], &columns, 1e-3);
+    }
+}
+
 proptest! {
+    #[test]
+    fn fits_of_any_lists(
+        points in vec(number(), 0..24), parameters in numbers(6), n in 0..7usize, degree in 0..5usize, n_control in 0..8usize,
+    ) {
+        let places = self::points(&points);
+        let n = n.min(parameters.len());
+        fit(&places, &parameters[..n], degree, n_control);
+        // As many as there are points, too.
+        let even: Vec<f64> = (0..places.len()).map(|i| i as f64).collect();
+        fit(&places, &even, degree, n_control);
+    }
+
+    #[test]
+    fn fits_of_any_grids(
+        places in vec(number(), 36), rows in 0..4usize, columns in 0..4usize, n in (0..5usize, 0..5usize), degree in 0..4usize,
+    ) {
+        let places = points(&places);
+        let grid = Grid::from_fn(rows, columns, |i, j| places[3 * i + j]);
+        let lines = |n: usize| Lines { parameters: (0..n).map(|i| i as f64).collect(), degree };
+        fit_grid(&grid, [&lines(n.0), &lines(n.1)]);
+        fit_grid(&grid, [&lines(rows), &lines(columns)]);
+    }
+
     #[test]
     fn curves_of_any_numbers(
         degree in 0..5usize, knots in numbers(11), places in vec(number(), 30), weights in vec(number(), 10),
@@ -123,4 +198,52 @@ proptest! {
             let _ = mesh.with_colors(points(&normals));
         }
     }
+}
+
+/// Within a thousandth of a second's work.
+fn few_steps() -> Watch {
+    let (gauge, stop) = (MemoryGauge::default(), StopToken::default());
+    Watch { gauge, memory_bytes: usize::MAX, stop, steps: 1_000 }
+}
+
+#[test]
+fn counts_beyond_all_ceilings_are_refused_at_once() {
+    let refused = |found: Result<NurbsCurve, GeomError>| {
+        matches!(found, Err(GeomError::Count(CountError::TooManyPoints { .. })))
+    };
+    let (points, at) = ([DVec3::ZERO, DVec3::X], [0.0, 1.0]);
+    assert!(refused(NurbsCurve::arc(Frame::XY, 1.0, 0.0, 1e9)));
+    assert!(refused(NurbsCurve::arc(Frame::XY, 1.0, 0.0, 1e300)));
+    assert!(refused(NurbsCurve::helix(Frame::XY, 1.0, 1.0, 1e300, 1e-6)));
+    assert!(refused(approximate(&points, &at, 1, usize::MAX)));
+    for degree in [usize::MAX, 101] {
+        assert!(KnotVector::bezier(degree).is_err());
+        assert!(KnotVector::spreading(degree, usize::MAX, &at).is_err());
+        assert!(Interpolator::periodic(&[0.0, 1.0, 2.0, 3.0], degree).is_ok());
+        let lines = Lines { parameters: at.to_vec(), degree };
+        assert!(columns_within(&Grid::from_fn(2, 2, |_, _| DVec3::X), &lines, 1e-3).is_err());
+    }
+    assert!(KnotVector::uniform(1, usize::MAX).is_err());
+    assert!(KnotVector::uniform_clamped(1, usize::MAX, 1.0).is_err());
+}
+
+#[test]
+fn an_arc_of_many_turns_can_be_ended() {
+    let (found, done) = work::under(few_steps(), || NurbsCurve::arc(Frame::XY, 1.0, 0.0, 5e6));
+    assert_eq!((found, done.end), (Err(GeomError::Ended), Some(End::Steps)));
+}
+
+#[test]
+fn nothing_makes_nothing() {
+    let none: Grid<NurbsSurface> = Grid::from_fn(0, 0, |_, _| unreachable!("it has no patch"));
+    assert!(join_patches(&none, 1e-6).is_err());
+    let rate = |_: f64, _: &[f64]| Ok::<_, ()>(vec![1.0]);
+    let Ok(mut found) = find_trajectory(rate, &[0.0], [0.0, 1.0], 1e-6) else {
+        unreachable!("a straight line")
+    };
+    found.nodes.truncate(1);
+    assert_eq!(found.at(0.5), [0.0]);
+    found.nodes.clear();
+    assert_eq!(found.at(0.5), [0.0; 0]);
+    let _ = NurbsCurve::of_trajectory(&found, usize::MAX);
 }

@@ -7,9 +7,10 @@ use std::io::{self, Write};
 
 use virote::{
     diag::{Code, Severity},
-    kernel::Curve,
+    kernel::{Curve, Tolerance},
     limits::{Ceiling, Limits, work::StopToken},
-    session::{Event, Report, Session},
+    session::{Arguments, Event, Report, Session},
+    syntax::ast::Unit,
     value::{MemoryFiles, NoFiles, Value},
 };
 
@@ -45,8 +46,8 @@ fn brackets_as_deep_as_the_ceiling_are_read_on_an_ordinary_thread() {
 }
 
 fn curve(report: &Report, name: &str) -> Curve {
-    match report.value(name).as_deref() {
-        Some(Value::Curve(curve)) => curve.clone(),
+    match report.value(name) {
+        Some(Value::Curve(curve)) => curve,
         _ => panic!("{:?}", report.diagnostics),
     }
 }
@@ -66,10 +67,83 @@ fn a_function_that_is_asked_outside_of_the_run_keeps_to_the_stack_that_there_is(
 fn values_answer_when_the_report_is_gone() {
     let report = run("let k = 3\ncurve c = parametric(t => (t, k * t), 0..1)\nlet broken = 1 / 0");
     assert!(report.value("broken").is_none() && report.value("nothing").is_none());
-    let held = report.value("c").expect("it is defined");
+    let value = report.value("c").expect("it is defined");
     drop(report);
-    let Value::Curve(curve) = &*held else { panic!("{held:?}") };
+    let Value::Curve(curve) = value else { panic!("{value:?}") };
     assert_eq!(curve.point_at(1.0).map(|point| point.y), Ok(3.0));
+}
+
+#[test]
+fn whatever_leaves_a_run_owns_what_it_needs() {
+    let script = "let k = 3\nfn twice(x) = 2 * k * x\ncurve c = parametric(t => (t, twice(t)), 0..1)\n\
+        let all = [{ curve = c, own = twice, later = x => twice(x) + k, part = twice(_) }]\nprint all\n\
+        surface s = parametric((u, v) => (u, v, twice(u)), 0..1, 0..1)\nprint c";
+    let report = run(script);
+    let value = |name| report.value(name).unwrap_or_else(|| panic!("{:?}", report.diagnostics));
+    let (surface, all) = (value("s"), value("all"));
+    let printed: Vec<Value> = report
+        .events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Printed(printed) => Some(printed.value.clone()),
+            _ => None,
+        })
+        .collect();
+    drop(report);
+
+    let answers = |curve: &Curve| {
+        // What is made of it owns the same.
+        let part = curve.split(0.25).map(|[_, behind]| behind);
+        assert_eq!(part.and_then(|part| part.point_at(0.5)).map(|point| point.y), Ok(3.0));
+    };
+    let Value::Surface(surface) = surface else { panic!("{surface:?}") };
+    let isocurve = surface.isocurve_v(0.5).expect("an isocurve");
+    drop(surface);
+    assert_eq!(isocurve.point_at(0.5).map(|point| point.z), Ok(3.0));
+
+    let members = |value: &Value| match value {
+        Value::List(items) => match items.first() {
+            Some(Value::Record(record)) => record.clone(),
+            other => panic!("{other:?}"),
+        },
+        other => panic!("{other:?}"),
+    };
+    let session = Session::default();
+    for record in [members(&all), members(&printed[0])] {
+        let Some(Value::Curve(curve)) = record.get("curve") else { panic!("{record:?}") };
+        answers(curve);
+        for (name, expected) in [("own", 12.0), ("later", 15.0), ("part", 12.0)] {
+            let function = record.get(name).expect("a field").clone();
+            let arguments = Arguments { positional: vec![Value::number(2.0)], named: Vec::new() };
+            let (answer, _) =
+                session.call(&function, arguments, (Unit::Mm, Tolerance::DEFAULT), &NoFiles);
+            assert_eq!(answer.expect("an answer").to_string(), expected.to_string());
+        }
+    }
+    let Value::Curve(curve) = &printed[1] else { panic!("{printed:?}") };
+    answers(curve);
+}
+
+#[test]
+fn what_a_function_answers_owns_what_it_needs() {
+    let report = run(
+        "let k = 3\nfn line_of(a) = parametric(t => (t, k * a * t), 0..1)\nfn later(a) = x => k * a * x",
+    );
+    let session = Session::default();
+    let call = |function: &Value, number: f64| {
+        let arguments = Arguments { positional: vec![Value::number(number)], named: Vec::new() };
+        session
+            .call(function, arguments, (Unit::Mm, Tolerance::DEFAULT), &NoFiles)
+            .0
+            .expect("an answer")
+    };
+    let [line_of, later] = ["line_of", "later"].map(|name| report.value(name).expect("defined"));
+    drop(report);
+    let (line, made) = (call(&line_of, 2.0), call(&later, 2.0));
+    drop((line_of, later));
+    let Value::Curve(line) = line else { panic!("{line:?}") };
+    assert_eq!(line.point_at(0.5).map(|point| point.y), Ok(3.0));
+    assert_eq!(call(&made, 0.5).to_string(), "3");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod circles;
 mod derivatives;
 mod docs;
+mod documents;
 mod errors;
 mod faults;
 mod fixes;

@@ -46,9 +46,9 @@ fn areas_and_centroids_of_ripples_are_refused() {
     let surface = Value::Surface(Surface::from(surface));
     let session = Session::default();
     for (measure, of) in [("area", None), ("centroid", Some("area"))] {
-        let of = of.map(|of: &str| ("of".to_owned(), Value::Text(of.into()).into()));
+        let of = of.map(|of: &str| ("of".to_owned(), Value::Text(of.into())));
         let arguments =
-            Arguments { positional: vec![surface.clone().into()], named: of.into_iter().collect() };
+            Arguments { positional: vec![surface.clone()], named: of.into_iter().collect() };
         let function = session.builtin(measure).expect("it is built in");
         let document = (Unit::Mm, Tolerance::DEFAULT);
         let (answer, _) = session.call(&function, arguments, document, &NoFiles);

@@ -12,7 +12,14 @@ use super::{
     prompt::Prompt,
     show,
 };
-use crate::{diag::nearest, docs, export::View, ide::Outline, syntax::StatementRole, value::Value};
+use crate::{
+    diag::nearest,
+    docs,
+    export::View,
+    ide::{Outline, sized},
+    syntax::StatementRole,
+    value::Value,
+};
 
 /// A command.
 pub(super) struct Command {
@@ -232,7 +239,7 @@ fn kind(prompt: &mut Prompt, text: &str) {
             | Value::Table(_) => {
                 format!("a {value}")
             }
-            Value::Record(_) => format!("a {}", show::sized(&value)),
+            Value::Record(_) => format!("a {}", sized(&value)),
             Value::Number(number) if number.dim.is_bare() => "a number".to_owned(),
             Value::Number(number) => number.dim.to_string(),
             Value::Bool(_) => "a truth value".to_owned(),

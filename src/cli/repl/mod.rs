@@ -38,7 +38,6 @@ use super::{
 };
 use crate::{
     disk::Script,
-    eval::KeptGlobals,
     ide::Values,
     syntax::{PromptEntry, ast::Unit, entry, parts},
     value::NoFiles,
@@ -61,7 +60,6 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         last: None,
         told: BTreeSet::new(),
         values: Arc::new(Values::new(Arc::new(nothing))),
-        kept: KeptGlobals::default(),
         folder: PathBuf::from("."),
         out: out.map(Path::to_path_buf),
         file: None,

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     diag::{Diagnostic, Severity, Sources},
-    eval::{KeptGlobals, Printed, Work},
+    eval::{Printed, Work},
     ide::Values,
     limits::Limits,
     session::{Event, Report},
@@ -41,8 +41,6 @@ pub(super) struct Prompt {
     pub(super) told: BTreeSet<String>,
     /// What the document came to.
     pub(super) values: Arc<Values>,
-    /// What parametric curves in the last answer need to answer.
-    pub(super) kept: KeptGlobals,
     /// The unit of length of what was evaluated last.
     pub(super) unit: Unit,
     pub(super) folder: PathBuf,
@@ -106,7 +104,6 @@ impl Prompt {
                 _ => None,
             })
             .collect();
-        self.kept = report.kept;
         Some((printed, time))
     }
 

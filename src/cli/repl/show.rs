@@ -10,6 +10,7 @@ use super::{
 };
 use crate::{
     export::View,
+    ide::sized,
     kernel::{Column, Curve, Face, Mesh, Surface, Table, Tolerance},
     syntax::ast::Unit,
     value::{Dimension, Value, shortest},
@@ -48,19 +49,6 @@ fn brief(value: &Value, unit: Unit) -> Option<String> {
     };
     let text = is_written.then(|| value.in_unit(unit.name()).to_string())?;
     (text.chars().count() <= MOST_CHARS).then_some(text)
-}
-
-/// Kind and size.
-pub(super) fn sized(value: &Value) -> String {
-    match value {
-        Value::Record(record) => {
-            let labels: Vec<&str> = record.iter().map(|(label, _)| label).collect();
-            format!("record of {}", labels.join(", "))
-        }
-        Value::List(_) => value.phrase().trim_start_matches("a ").to_owned(),
-        Value::Text(text) => format!("string of {} bytes", text.len()),
-        _ => value.to_string(),
-    }
 }
 
 /// All of a value, with a plot no wider than `columns` where there is something to draw.

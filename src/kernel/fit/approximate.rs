@@ -4,11 +4,15 @@ use glam::DVec3;
 
 use super::{
     Ends, Interpolator,
+    interpolate::check_degree,
     kinks::kinks,
     least::Approximator,
+    parameters::check_loose_parameters,
     search::{FitSearch, FittedCurve},
 };
-use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve, ReportEntry};
+use crate::{
+    ConstructionReport, GeomError, KnotVector, NurbsCurve, ReportEntry, knots::check_points,
+};
 
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
 /// through the first and the last. Its report tells the deviation.
@@ -17,8 +21,7 @@ use crate::{ConstructionReport, DegreeError, GeomError, KnotVector, NurbsCurve, 
 /// §9.4.1, (9.68) and (9.69); [`KnotVector::spreading`].
 ///
 /// # Errors
-/// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
-/// `FitError::Undetermined` where many points share few parameters.
+/// Those of [`KnotVector::spreading`]; `CountError::WrongCount`; `FitError::Undetermined` many points share few parameters.
 pub fn approximate(
     points: &[DVec3],
     parameters: &[f64],
@@ -54,7 +57,8 @@ pub fn approximate(
 /// ```
 ///
 /// # Errors
-/// [`DegreeError::BadDegree`], [`DegreeError::DegreeTooHigh`]; `CountError::WrongCount`;
+/// `DegreeError::BadDegree`, `DegreeError::DegreeTooHigh`; `CountError::CountTooSmall` for degree 0,
+/// `CountError::WrongCount`; `InputError::NotFinite`, `FitError::ParametersNotIncreasing`;
 /// `FitError::ToleranceNotKept` below the rounding of the coordinates.
 pub fn approximate_within(
     points: &[DVec3],
@@ -63,10 +67,9 @@ pub fn approximate_within(
     tolerance: f64,
     are_fixed: bool,
 ) -> Result<NurbsCurve, GeomError> {
-    if points.len() <= degree {
-        let needed = degree + 1;
-        return Err(DegreeError::BadDegree { degree, points: points.len(), needed }.into());
-    }
+    check_degree(degree)?;
+    check_points(degree, points.len())?;
+    check_loose_parameters(parameters, points.len())?;
     let kinks = kinks(points, parameters, tolerance);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
     let are_listed = are_fixed;

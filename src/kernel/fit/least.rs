@@ -2,8 +2,9 @@
 
 use glam::{DVec3, DVec4};
 
+use super::{interpolate::check_degree, parameters::check_ends};
 use crate::{
-    CountError, FitError, GeomError, KnotVector, NurbsCurve,
+    CountError, FitError, GeomError, InputError, KnotVector, NurbsCurve,
     numeric::triangular_factor::{TriangularFactor, without_ends},
     tolerance::RANK_RELATIVE,
 };
@@ -51,8 +52,14 @@ impl Approximator {
     /// For values at the parameters, over the given knots. O(n·p²) for n parameters.
     ///
     /// # Errors
-    /// [`FitError::Undetermined`] where parts of the spline have too few parameters.
+    /// [`CountError::CountTooSmall`] for degree 0, [`CountError::TooFewPoints`] below two parameters,
+    /// [`InputError::NotFinite`]; [`FitError::Undetermined`] where parts of the spline have too few.
     pub fn new(parameters: &[f64], knots: KnotVector) -> Result<Self, GeomError> {
+        check_degree(knots.degree())?;
+        check_ends(parameters)?;
+        if let Some(index) = parameters.iter().position(|parameter| !parameter.is_finite()) {
+            return Err(InputError::NotFinite { what: "parameter", index }.into());
+        }
         let width = knots.degree() + 1;
         let mut firsts = Vec::with_capacity(parameters.len());
         let mut shares = Vec::with_capacity(parameters.len() * width);

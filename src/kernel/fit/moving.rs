@@ -263,6 +263,7 @@ pub fn interpolate_varied(
     points: &[DVec3],
     slopes: &PointSlopes,
 ) -> Result<Option<VariedCurve>, GeomError> {
+    slopes.check_points(points.len())?;
     let parameters = rule.parameters(points)?;
     let values: Vec<DVec4> = points.iter().map(|point| point.extend(1.0)).collect();
     let Some(spline) = MovingSpline::new((fit, ends), &parameters, &values, [DVec4::ZERO; 2])?
@@ -338,6 +339,7 @@ pub fn interpolate_varied_ring(
     points: &[DVec3],
     slopes: &PointSlopes,
 ) -> Result<Option<VariedCurve>, GeomError> {
+    slopes.check_points(points.len())?;
     let parameters = rule.parameters(points)?;
     let around = &points[..points.len().saturating_sub(1)];
     let own = Interpolator::periodic(&parameters, CUBIC)?.curve(around)?;

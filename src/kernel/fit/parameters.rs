@@ -145,6 +145,41 @@ pub fn check_parameters(parameters: &[f64], needed: usize) -> Result<(), GeomErr
     }
 }
 
+/// A fit begins at the first parameter and ends at the last.
+///
+/// # Errors
+/// [`CountError::TooFewPoints`] below two.
+pub(super) fn check_ends(parameters: &[f64]) -> Result<(), GeomError> {
+    match parameters.len() {
+        got @ 0..2 => Err(CountError::TooFewPoints { got, needed: 2 }.into()),
+        _ => Ok(()),
+    }
+}
+
+/// One parameter for each of `needed` points, none before the one in front of it; neighbours may share theirs.
+///
+/// # Errors
+/// [`CountError::WrongCount`], [`CountError::TooFewPoints`] below two, [`InputError::NotFinite`],
+/// [`FitError::ParametersNotIncreasing`].
+pub(super) fn check_loose_parameters(parameters: &[f64], needed: usize) -> Result<(), GeomError> {
+    let got = parameters.len();
+    if got != needed {
+        return Err(CountError::WrongCount { what: "parameters", needed, got }.into());
+    }
+    check_ends(parameters)?;
+    if let Some(index) = parameters.iter().position(|parameter| !parameter.is_finite()) {
+        return Err(InputError::NotFinite { what: "parameter", index }.into());
+    }
+    match parameters.windows(2).position(|pair| pair[1] < pair[0]) {
+        Some(i) => {
+            let (previous, parameter) = (parameters[i], parameters[i + 1]);
+            let index = i + 1;
+            Err(FitError::ParametersNotIncreasing { index, previous, parameter }.into())
+        }
+        None => Ok(()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec3;

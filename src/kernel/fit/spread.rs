@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
+use super::{interpolate::check_degree, parameters::check_ends};
 use crate::{
-    DegreeError, GeomError, KnotVector, NurbsCurve,
+    GeomError, KnotVector, NurbsCurve,
+    knots::check_points,
     tolerance::{LEAST_KNOT_DENSITY, PARAMETER_RELATIVE, SPREADING_SPARE},
 };
 
@@ -16,16 +18,17 @@ impl KnotVector {
     /// as many control points as parameters are the knots of interpolation, (9.8).
     ///
     /// # Errors
-    /// [`DegreeError::BadDegree`] with no more points than the degree, [`DegreeError::DegreeTooHigh`].
+    /// `CountError::CountTooSmall` for degree 0, `CountError::TooFewPoints` below two parameters,
+    /// `DegreeError::BadDegree` with no more points than the degree, `DegreeError::DegreeTooHigh`,
+    /// `CountError::TooManyPoints`, and what [`Self::new`] says of parameters without an order.
     pub fn spreading(
         degree: usize,
         n_points: usize,
         parameters: &[f64],
     ) -> Result<Self, GeomError> {
-        let needed = degree + 1;
-        if n_points < needed {
-            return Err(DegreeError::BadDegree { degree, points: n_points, needed }.into());
-        }
+        check_degree(degree)?;
+        check_points(degree, n_points)?;
+        check_ends(parameters)?;
         let share = parameters.len() as f64 / (n_points - degree) as f64;
         if share < 1.0 + SPREADING_SPARE * (degree * degree).max(2) as f64 {
             return Self::averaging(degree, n_points, parameters);
@@ -38,7 +41,7 @@ impl KnotVector {
         };
         let inner: Vec<f64> = (1..n_points - degree).map(knot).collect();
         let [start, end] =
-            [parameters[0], parameters[parameters.len() - 1]].map(|t| vec![t; needed]);
+            [parameters[0], parameters[parameters.len() - 1]].map(|t| vec![t; degree + 1]);
         Self::new(degree, [&start[..], &inner, &end].concat())
     }
 }

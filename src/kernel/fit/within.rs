@@ -8,8 +8,11 @@
 
 use glam::DVec3;
 
-use super::{Approximator, Ends, FirstPass, Interpolator, LineFit, spread};
-use crate::{FitError, GeomError, Grid, KnotVector, NurbsSurface, ceiling::FIT_ROUNDS};
+use super::{Approximator, Ends, FirstPass, Interpolator, LineFit, parameters::check_ends, spread};
+use crate::{
+    CountError, FitError, GeomError, Grid, KnotVector, NurbsSurface, ceiling::FIT_ROUNDS,
+    knots::check_points,
+};
 
 /// The columns may use this part of the tolerance; the rest is left to the rows.
 const SHARE_OF_COLUMNS: f64 = 0.5;
@@ -40,7 +43,18 @@ pub struct Lines {
 }
 
 impl Lines {
+    /// # Errors
+    /// [`CountError::WrongCount`] unless there is a parameter for each of so many points.
+    fn check_count(&self, needed: usize) -> Result<(), GeomError> {
+        match self.parameters.len() {
+            got if got == needed => Ok(()),
+            got => Err(CountError::WrongCount { what: "parameters", needed, got }.into()),
+        }
+    }
+
     fn coarsest(&self) -> Result<KnotVector, GeomError> {
+        check_points(self.degree, self.degree.saturating_add(1))?;
+        check_ends(&self.parameters)?;
         let (first, last) = (self.parameters[0], self.parameters[self.parameters.len() - 1]);
         let ends = [first, last].map(|t| vec![t; self.degree + 1]);
         KnotVector::for_points(self.degree, self.degree + 1, ends.concat())
@@ -82,12 +96,13 @@ impl Lines {
 /// A fit of the columns of a grid, the lines along u, that leaves enough of the tolerance to the rows.
 ///
 /// # Errors
-/// `DegreeError::BadDegree`, `DegreeError::DegreeTooHigh`, `CountError::WrongCount`.
+/// `DegreeError::DegreeTooHigh`, [`CountError::WrongCount`], and those of [`Interpolator::new`].
 pub fn columns_within(
     points: &Grid<DVec3>,
     u: &Lines,
     tolerance: f64,
 ) -> Result<LineFit, GeomError> {
+    u.check_count(points.n_rows())?;
     u.grown(SHARE_OF_COLUMNS * tolerance, |fit| {
         let first = FirstPass::new(points, fit)?.points().map(|point| point.extend(1.0));
         let mut worst = vec![0.0; points.n_rows()];
@@ -113,6 +128,8 @@ pub fn surface_within(
     columns: &LineFit,
     tolerance: f64,
 ) -> Result<NurbsSurface, GeomError> {
+    u.check_count(points.n_rows())?;
+    v.check_count(points.n_columns())?;
     let data = Data { points, lines: [u, v], tolerance };
     let first = FirstPass::new(points, columns)?;
     let rows = v.grown(tolerance, |fit| Ok(data.misses(&first.second(fit)?).0))?;

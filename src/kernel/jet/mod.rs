@@ -20,7 +20,8 @@ pub use moving_end::moved_end;
 type Coefficients = Vec<f64>;
 
 /// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
-/// coefficients as its shape needs.
+/// coefficients as its shape needs. Of what jets of several shapes make together the derivatives that one of them does
+/// not tell are no numbers.
 ///
 /// The derivatives of t·sin t at 0 are 0, 0, 2:
 ///
@@ -244,14 +245,31 @@ impl Jet {
     pub fn derivative(&self, i: usize, j: usize) -> f64 {
         let factorial = |n: usize| (1..=n).fold(1.0, |product, k| product * k as f64);
         let has_second = matches!(self.shape, JetShape::Two { .. });
-        let is_known = i + j <= self.shape.order() && (j == 0 || has_second);
+        let is_known = i.saturating_add(j) <= self.shape.order() && (j == 0 || has_second);
         if !is_known {
             return 0.0;
         }
         self.coefficients[self.shape.place(i, j)] * factorial(i) * factorial(j)
     }
 
+    /// The same series in the shape of another: what it does not tell is no number.
+    fn in_shape_of(&self, other: &Self) -> Self {
+        let is_alike = matches!(
+            (self.shape, other.shape),
+            (JetShape::One { .. }, JetShape::One { .. })
+                | (JetShape::Two { .. }, JetShape::Two { .. })
+        );
+        let n_known = if is_alike { self.coefficients.len() } else { 1 };
+        let n = other.coefficients.len();
+        let known = self.coefficients.iter().copied().take(n_known.min(n));
+        let coefficients = known.chain(std::iter::repeat(f64::NAN)).take(n).collect();
+        Self { shape: other.shape, coefficients }
+    }
+
     fn zip(&self, other: &Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        if self.shape != other.shape {
+            return self.zip(&other.in_shape_of(self), f);
+        }
         let pairs = self.coefficients.iter().zip(&other.coefficients);
         Self { shape: self.shape, coefficients: pairs.map(|(&a, &b)| f(a, b)).collect() }
     }
@@ -279,6 +297,9 @@ impl Jet {
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         let shape = self.shape;
+        if shape != other.shape {
+            return self.times(&other.in_shape_of(self));
+        }
         if let JetShape::Several { .. } = shape {
             let (a, b) = (self.value(), other.value());
             return self.zip(other, |slope, other| slope * b + a * other).with_value(a * b);
@@ -313,6 +334,9 @@ impl Jet {
         let (shape, divisor) = (self.shape, other.value());
         if divisor == 0.0 {
             return Err(LocalError::NotDifferentiable { what: "a quotient", at: divisor }.into());
+        }
+        if shape != other.shape {
+            return self.over(&other.in_shape_of(self));
         }
         if let JetShape::Several { .. } = shape {
             let value = self.value() / divisor;
@@ -381,8 +405,11 @@ pub fn across(derivatives: &Grid<DVec3>, u: &Jet, v: &Jet) -> Result<[Jet; 3], G
         // Horner's scheme in u; its coefficients are series in v.
         for k in (0..=u.order()).rev() {
             let factorial = |n: usize| (1..=n).fold(1.0, |product, m| product * m as f64);
-            let term = |l: usize| derivatives.get(k, l)[axis] / (factorial(k) * factorial(l));
-            let along_v = v.compose(&(0..=v.order() - k).map(term).collect::<Coefficients>())?;
+            let is_told = |l: usize| k < derivatives.n_rows() && l < derivatives.n_columns();
+            let derivative = |l: usize| if is_told(l) { derivatives.get(k, l)[axis] } else { 0.0 };
+            let term = |l: usize| derivative(l) / (factorial(k) * factorial(l));
+            let along_v =
+                v.compose(&(0..=v.order().saturating_sub(k)).map(term).collect::<Coefficients>())?;
             sum = sum.times(&varying).plus(&along_v);
         }
         sum.checked()

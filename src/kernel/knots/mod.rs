@@ -21,7 +21,8 @@ use reciprocals::Reciprocals;
 use std::{ops::RangeInclusive, sync::Arc};
 
 use super::{
-    DegreeError, GeomError, Grid, InputError, Interval, KnotError, tolerance::KNOT_RELATIVE,
+    CountError, DegreeError, GeomError, Grid, InputError, Interval, KnotError,
+    tolerance::KNOT_RELATIVE,
 };
 
 /// From which side a place is approached, where the two sides can differ.
@@ -112,8 +113,8 @@ impl KnotVector {
     /// The given knots for a number of control points.
     ///
     /// # Errors
-    /// [`DegreeError::BadDegree`] with fewer than p + 1 points, [`KnotError::KnotCount`], and those
-    /// of [`Self::new`].
+    /// [`DegreeError::BadDegree`] with fewer than p + 1 points, [`CountError::TooManyPoints`],
+    /// [`KnotError::KnotCount`], and those of [`Self::new`].
     pub fn for_points(degree: usize, n_points: usize, knots: Vec<f64>) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let (got, needed) = (knots.len(), n_points + degree + 1);
@@ -128,13 +129,15 @@ impl KnotVector {
     /// # Errors
     /// [`DegreeError::DegreeTooHigh`].
     pub fn bezier(degree: usize) -> Result<Self, GeomError> {
+        check_degree(degree)?;
         Self::uniform_clamped(degree, degree + 1, 1.0)
     }
 
     /// Evenly spaced knots on `0..end`, the ends p + 1 times.
     ///
     /// # Errors
-    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`KnotError::EmptyDomain`].
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`CountError::TooManyPoints`],
+    /// [`KnotError::EmptyDomain`].
     pub fn uniform_clamped(degree: usize, n_points: usize, end: f64) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let domain = Interval::new(0.0, end)
@@ -149,7 +152,7 @@ impl KnotVector {
     /// The whole numbers from −p, not clamped: domain `0..(n_points - p)`, one unit a span.
     ///
     /// # Errors
-    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`].
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`CountError::TooManyPoints`].
     pub fn uniform(degree: usize, n_points: usize) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let knots = (0..=n_points + degree).map(|i| i as f64 - degree as f64).collect();
@@ -393,13 +396,19 @@ fn check_degree(degree: usize) -> Result<(), GeomError> {
     }
 }
 
-fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
+/// # Errors
+/// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`] with no more points than the degree,
+/// [`CountError::TooManyPoints`].
+pub(crate) fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
     check_degree(degree)?;
-    if degree < n_points {
-        Ok(())
-    } else {
-        Err(DegreeError::BadDegree { degree, points: n_points, needed: degree + 1 }.into())
+    if n_points <= degree {
+        return Err(DegreeError::BadDegree { degree, points: n_points, needed: degree + 1 }.into());
     }
+    let most = crate::ceiling::CONTROL_POINTS;
+    if most < n_points {
+        return Err(CountError::TooManyPoints { got: n_points, most }.into());
+    }
+    Ok(())
 }
 
 fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {

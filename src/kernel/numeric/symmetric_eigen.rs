@@ -74,6 +74,12 @@ fn turned([first, second]: [f64; 2], [cosine, sine]: [f64; 2]) -> (f64, f64) {
     (cosine * first - sine * second, sine * first + cosine * second)
 }
 
+/// The mean of the eigenvalues of a symmetric matrix with the first row `a`, `b` and the second `b`, `c`, and half of
+/// their difference.
+pub(crate) fn mean_and_spread([a, b, c]: [f64; 3]) -> [f64; 2] {
+    [0.5 * (a + c), libm::hypot(0.5 * (a - c), b)]
+}
+
 /// The eigenvalues of a symmetric matrix with unit eigenvectors, the smaller one by size first: the
 /// rotation that makes it diagonal, by its angle.
 ///

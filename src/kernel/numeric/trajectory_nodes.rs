@@ -46,9 +46,12 @@ pub struct TrajectoryNode {
 }
 
 impl Trajectory {
-    /// The state at a place; beyond the range the first and last quintic go on.
+    /// The state at a place; beyond the range the first and last quintic go on. That of its only node, if it has one.
     #[must_use]
     pub fn at(&self, place: f64) -> Vec<f64> {
+        if let [] | [_] = self.nodes[..] {
+            return self.nodes.first().map(|node| node.state.clone()).unwrap_or_default();
+        }
         let (a, b, width) = self.nodes_beside(place);
         let s = (place - a.place) / width;
         let [to_a, to_b] = [quintics(1.0 - s), quintics(s)];
@@ -58,7 +61,9 @@ impl Trajectory {
                 + width * (to_b[1] * b.rate[i] - to_a[1] * a.rate[i])
                 + width * width * (to_a[2] * a.second[i] + to_b[2] * b.second[i])
         };
-        (0..a.state.len()).map(state).collect()
+        let parts = [&a.state, &a.rate, &a.second, &b.state, &b.rate, &b.second];
+        let n_components = parts.iter().map(|part| part.len()).min().unwrap_or(0);
+        (0..n_components).map(state).collect()
     }
 
     /// Its derivative there.

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::VariedCurve;
+use super::{CurvePoint, VariedCurve};
 use crate::{
     GeomError, Interval, LocalError, PictureError, Region,
     numeric::{
@@ -336,13 +336,8 @@ impl VariedCurve {
         let knots = self.curve().knots();
         let points = &self.curve().control_points()[knots.support(span)];
         knots.with_slopes(span, t, |values, slopes| {
-            let (mut value, mut along) = (DVec4::ZERO, DVec4::ZERO);
-            for ((&point, &n), &dn) in points.iter().zip(values).zip(slopes) {
-                value += point * n;
-                along += point * dn;
-            }
-            let place = value.truncate() / value.w;
-            let velocity = (along.truncate() - place * along.w) / value.w;
+            let CurvePoint { value, along, place, velocity } =
+                CurvePoint::new(points, values, slopes);
             let [by_place, by_velocity] = partials(place, velocity)?;
             let mut gradient = Vec::with_capacity(4 * values.len());
             for (&n, &dn) in values.iter().zip(slopes) {

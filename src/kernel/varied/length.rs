@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::VariedCurve;
+use super::{CurvePoint, VariedCurve};
 use crate::{
     GeomError, Interval, Jet, LocalError,
     numeric::{integral::find_integral, integral_error::IntegralError},
@@ -54,13 +54,8 @@ impl VariedCurve {
         let knots = self.curve().knots();
         let points = &self.curve().control_points()[knots.support(span)];
         knots.with_slopes(span, t, |values, slopes| {
-            let (mut value, mut along) = (DVec4::ZERO, DVec4::ZERO);
-            for ((&point, &n), &dn) in points.iter().zip(values).zip(slopes) {
-                value += point * n;
-                along += point * dn;
-            }
-            let place = value.truncate() / value.w;
-            let velocity = (along.truncate() - place * along.w) / value.w;
+            let CurvePoint { value, along, place, velocity } =
+                CurvePoint::new(points, values, slopes);
             let speed = velocity.length();
             if speed <= LAST_BIT * (along.truncate() / value.w).length() {
                 return Err(no_derivative(t));

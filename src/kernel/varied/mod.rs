@@ -54,13 +54,18 @@ impl PointSlopes {
     /// The slopes of so many points by those of the variables that they depend on, in order.
     ///
     /// # Errors
-    /// [`CountError::TooFewPoints`] unless there is a slope for each point, `InputError::NotFinite`.
+    /// [`CountError::WrongCount`] for a variable that there is not, [`CountError::TooFewPoints`] unless there is a slope
+    /// for each point, `InputError::NotFinite`.
     pub fn new(
         n_variables: usize,
         n_points: usize,
         by_variable: Vec<(usize, Vec<DVec4>)>,
     ) -> Result<Self, GeomError> {
-        for (_, slopes) in &by_variable {
+        for (variable, slopes) in &by_variable {
+            if n_variables <= *variable {
+                let (what, needed, got) = ("variables", variable.saturating_add(1), n_variables);
+                return Err(CountError::WrongCount { what, needed, got }.into());
+            }
             if slopes.len() != n_points {
                 return Err(CountError::TooFewPoints { got: slopes.len(), needed: n_points }.into());
             }
@@ -85,12 +90,22 @@ impl PointSlopes {
         &self.by_variable
     }
 
-    /// The slopes by all variables of something with this gradient by the control points.
+    /// # Errors
+    /// [`CountError::WrongCount`] unless they are those of so many points.
+    pub(crate) fn check_points(&self, needed: usize) -> Result<(), GeomError> {
+        let counts = self.by_variable.iter().map(|(_, slopes)| slopes.len());
+        match counts.into_iter().find(|&got| got != needed) {
+            Some(got) => Err(CountError::WrongCount { what: "slopes", needed, got }.into()),
+            None => Ok(()),
+        }
+    }
+
+    /// The slopes by all variables of something with this gradient by the control points; what it does not tell is zero.
     #[must_use]
     pub fn through(&self, gradient: &[DVec4]) -> Vec<f64> {
         let mut all = vec![0.0; self.n_variables];
         for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
-            let pairs = slopes[moving.clone()].iter().zip(&gradient[moving.clone()]);
+            let pairs = slopes[moving.clone()].iter().zip(gradient.iter().skip(moving.start));
             all[*variable] = pairs.map(|(s, g)| s.dot(*g)).sum();
         }
         all
@@ -153,6 +168,30 @@ impl PointSlopes {
             Jet::of_several(all)
         };
         Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
+    }
+}
+
+/// A point of a curve with its velocity, and what they are made of.
+struct CurvePoint {
+    /// The homogeneous point.
+    value: DVec4,
+    /// Its derivative.
+    along: DVec4,
+    place: DVec3,
+    velocity: DVec3,
+}
+
+impl CurvePoint {
+    /// Of the control points that act there, with the values and derivatives of their basis functions.
+    fn new(points: &[DVec4], values: &[f64], slopes: &[f64]) -> Self {
+        let (mut value, mut along) = (DVec4::ZERO, DVec4::ZERO);
+        for ((&point, &n), &dn) in points.iter().zip(values).zip(slopes) {
+            value += point * n;
+            along += point * dn;
+        }
+        let place = value.truncate() / value.w;
+        let velocity = (along.truncate() - place * along.w) / value.w;
+        Self { value, along, place, velocity }
     }
 }
 

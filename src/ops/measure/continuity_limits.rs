@@ -1,10 +1,13 @@
-//! Limits that a script asks for where pieces of geometry meet.
+//! What `continuity` takes and answers where pieces of geometry meet: the limits that a script asks for, and the fields
+//! that curves and surfaces have alike.
+
+use std::sync::Arc;
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{JointTolerance, Tolerance},
+    kernel::{Continuity, JointTolerance, Tolerance},
     ops::positive,
-    value::{Angle, Curvature, Length, shortest},
+    value::{Angle, Curvature, IntoValue, Length, LengthPower, Value, shortest},
 };
 
 /// The options of `continuity`.
@@ -34,6 +37,21 @@ impl ContinuityOptions {
             curvature_gap: self.curvature_gap.map(|gap| gap.value.0),
         })
     }
+}
+
+/// The fields of an answer.
+pub(in crate::ops) fn continuity_fields(found: Continuity) -> [(Arc<str>, Value); 6] {
+    let Continuity { c, g, gap, angle, curvature_gap, c_homogeneous } = found;
+    let curvature_gap =
+        curvature_gap.map_or(Value::None, |gap| LengthPower::<-1>(gap).into_value());
+    [
+        ("c".into(), i64::from(c).into_value()),
+        ("g".into(), i64::from(g).into_value()),
+        ("gap".into(), Length(gap).into_value()),
+        ("angle".into(), Angle(angle).into_value()),
+        ("curvature_gap".into(), curvature_gap),
+        ("c_homogeneous".into(), i64::from(c_homogeneous).into_value()),
+    ]
 }
 
 fn refused<T>(message: String, span: Span) -> Result<T> {

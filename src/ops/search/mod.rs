@@ -8,6 +8,7 @@ mod maximize;
 mod minimize;
 mod ode;
 mod solve;
+mod switching;
 mod system;
 mod unknowns;
 

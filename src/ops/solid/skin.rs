@@ -7,7 +7,7 @@ use crate::{
     kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, Solid},
     ops::surface::{
         section::{SectionPairing, SectionPlaces, SectionShape, SectionTangent},
-        skin_options::SkinOptions,
+        skin_options::{SkinOptions, skin_options},
     },
     value::{At, Ctx, Length, op},
 };
@@ -60,19 +60,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
     let span = args.sections.span;
-    let options = SkinOptions {
-        degree: args.degree,
-        spine: args.spine,
-        at: args.at,
-        parameters: args.parameters,
-        is_closed: args.closed,
-        is_aligned: args.align,
-        start_tangent: args.start_tangent,
-        end_tangent: args.end_tangent,
-        shape: args.shape,
-        pairing: args.pairing,
-        tolerance: args.tolerance,
-    };
+    let options = skin_options!(args);
     options.check()?;
     let regions = &args.sections.value;
     let borders = regions.iter().map(|region| region.borders());

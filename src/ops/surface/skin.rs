@@ -2,7 +2,7 @@
 
 use super::{
     section::{SectionPairing, SectionPlaces, SectionShape, SectionTangent, SkinSection},
-    skin_options::SkinOptions,
+    skin_options::{SkinOptions, skin_options},
 };
 use crate::{
     diag::{Result, Spanned},
@@ -74,19 +74,7 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsSurface> {
-    let options = SkinOptions {
-        degree: args.degree,
-        spine: args.spine,
-        at: args.at,
-        parameters: args.parameters,
-        is_closed: args.closed,
-        is_aligned: args.align,
-        start_tangent: args.start_tangent,
-        end_tangent: args.end_tangent,
-        shape: args.shape,
-        pairing: args.pairing,
-        tolerance: args.tolerance,
-    };
+    let options = skin_options!(args);
     options.check()?;
     let span = args.sections.span;
     let sections = args.sections.value.into_iter().map(SkinSection::curve);

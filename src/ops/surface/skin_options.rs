@@ -29,6 +29,27 @@ pub(in crate::ops) struct SkinOptions {
     pub(in crate::ops) tolerance: Option<Spanned<Length>>,
 }
 
+/// The options among the arguments of an operation that documents them.
+macro_rules! skin_options {
+    ($args:ident) => {
+        SkinOptions {
+            degree: $args.degree,
+            spine: $args.spine,
+            at: $args.at,
+            parameters: $args.parameters,
+            is_closed: $args.closed,
+            is_aligned: $args.align,
+            start_tangent: $args.start_tangent,
+            end_tangent: $args.end_tangent,
+            shape: $args.shape,
+            pairing: $args.pairing,
+            tolerance: $args.tolerance,
+        }
+    };
+}
+
+pub(in crate::ops) use skin_options;
+
 impl SkinOptions {
     /// The surface through sections that stand at `span` in the script; what is doubtful about it is warned of.
     pub(in crate::ops) fn surface(

@@ -29,7 +29,8 @@ impl NurbsCurve {
     /// ```
     ///
     /// # Errors
-    /// [`InputError::NotPositive`] for a radius or a sweep, [`InputError::NotFinite`].
+    /// [`InputError::NotPositive`] for a radius or a sweep, [`CountError::TooManyPoints`],
+    /// [`InputError::NotFinite`].
     pub fn arc(frame: Frame, radius: f64, from: f64, sweep: f64) -> Result<Self, GeomError> {
         for (what, got) in [("the radius", radius), ("the angle of the arc", sweep)] {
             if !(got.is_finite() && 0.0 < got) {
@@ -38,11 +39,13 @@ impl NurbsCurve {
         }
         // A quarter with its rounding is one piece.
         let n_pieces = libm::ceil(sweep / FRAC_PI_2 - KNOT_RELATIVE).max(1.0) as usize;
+        check_count(n_pieces.saturating_mul(2).saturating_add(1))?;
         let direction = |k: usize| on_unit_circle(from + sweep * k as f64 / n_pieces as f64);
         let place = |at: DVec3| frame.point(at * radius);
         let mut points = vec![place(direction(0))];
         let mut weights = vec![1.0];
         for k in 0..n_pieces {
+            GeomError::go_on(1)?;
             let (start, end) = (direction(k), direction(k + 1));
             let cosine = start.dot(end);
             points.extend([place((start + end) / (1.0 + cosine)), place(end)]);
@@ -133,11 +136,8 @@ impl NurbsCurve {
         let allowed = (0.5 * distance / radius).max(LAST_BIT);
         let step = libm::pow(46080.0 * allowed, 1.0 / 6.0).min(FRAC_PI_2);
         let n_pieces = libm::ceil(turns * TAU / step);
-        let most = crate::ceiling::CONTROL_POINTS;
-        if (most / 6) as f64 <= n_pieces {
-            // As a number of points it is as good as infinite.
-            return Err(CountError::TooManyPoints { got: (6.0 * n_pieces) as usize, most }.into());
-        }
+        // As a number of points it may be as good as infinite.
+        check_count((6.0 * n_pieces) as usize)?;
         let n_pieces = n_pieces as usize;
         let angle = turns * TAU / n_pieces as f64;
         let piece = |k: usize| {
@@ -168,6 +168,13 @@ impl NurbsCurve {
         let pieces = (0..n_pieces).map(piece).collect();
         Self::of_pieces(&breaks, pieces, &vec![3; n_pieces - 1])
     }
+}
+
+/// # Errors
+/// [`CountError::TooManyPoints`].
+fn check_count(got: usize) -> Result<(), GeomError> {
+    let most = crate::ceiling::CONTROL_POINTS;
+    if got <= most { Ok(()) } else { Err(CountError::TooManyPoints { got, most }.into()) }
 }
 
 /// `(cos, sin)` of an angle, exact at whole quarters.

@@ -23,7 +23,8 @@ impl NurbsCurve {
     /// # Errors
     /// [`crate::InputError::NotFinite`] where it is too large.
     pub fn of_trajectory(trajectory: &Trajectory, first: usize) -> Result<Self, GeomError> {
-        let part = |parts: &[f64], i: usize| parts.get(first + i).copied().unwrap_or(0.0);
+        let part =
+            |parts: &[f64], i: usize| parts.get(first.saturating_add(i)).copied().unwrap_or(0.0);
         let point = |parts: &[f64]| DVec3::from([0, 1, 2].map(|i| part(parts, i)));
         let nodes = trajectory.nodes.iter().map(|node| HermiteNode {
             parameter: node.place,

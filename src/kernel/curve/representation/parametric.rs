@@ -1,6 +1,7 @@
 //! Curves of a function: any map of an interval into space that can tell its derivatives.
 
 use std::{
+    any::Any,
     fmt,
     sync::{Arc, OnceLock},
 };
@@ -94,6 +95,8 @@ pub struct ParametricCurve {
     probes: [DVec3; PROBES + 1],
     /// The spline near it, once it was made.
     nurbs_approximation: Arc<OnceLock<Arc<NurbsCurve>>>,
+    /// What the function may need to answer.
+    _kept: Option<Arc<dyn Any + Send + Sync>>,
 }
 
 /// An even map of parameters, exact where it is known: `to[0]` at `from[0]`, `to[1]` at `from[1]`.
@@ -136,6 +139,7 @@ impl ParametricCurve {
             map: DAffine3::IDENTITY,
             probes: [DVec3::ZERO; PROBES + 1],
             nurbs_approximation: Arc::default(),
+            _kept: None,
         }
         .probed()
     }
@@ -205,6 +209,12 @@ impl ParametricCurve {
             Some(order) => Err(GeomError::Local(LocalError::BeyondNumbers { order, parameter: t })),
             None => Ok(derivatives),
         }
+    }
+
+    /// The same curve, which keeps something alive that its function needs, as do all that are made of it.
+    #[must_use]
+    pub fn keeping(&self, kept: Arc<dyn Any + Send + Sync>) -> Self {
+        Self { _kept: Some(kept), ..self.clone() }
     }
 
     /// The image under an affine map.

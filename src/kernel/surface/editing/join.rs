@@ -3,7 +3,7 @@
 use glam::DVec4;
 
 use crate::{
-    GeomError, Grid, JointError, KnotError,
+    CountError, GeomError, Grid, JointError, KnotError,
     compatible::on_common_knots,
     homogeneous,
     joint::{Joined, joint_accuracy, vanishing_span},
@@ -21,7 +21,7 @@ use crate::{
 /// halfway.
 ///
 /// # Errors
-/// [`JointError::PatchGap`] wider than the tolerance; [`JointError::UnlikeWeights`] where two sides
+/// [`CountError::CountTooSmall`] of an empty grid; [`JointError::PatchGap`] wider than the tolerance; [`JointError::UnlikeWeights`] where two sides
 /// are one curve run through at different speeds; [`KnotError::VanishingPatch`];
 /// `InputError::NotFinite` or `WeightError::VanishingWeightsAt` where the weights leave the numbers.
 pub fn join_patches(
@@ -29,6 +29,11 @@ pub fn join_patches(
     tolerance: f64,
 ) -> Result<NurbsSurface, GeomError> {
     let (n_rows, n_columns) = (patches.n_rows(), patches.n_columns());
+    for (what, got) in [("the number of rows", n_rows), ("the number of columns", n_columns)] {
+        if got == 0 {
+            return Err(CountError::CountTooSmall { what, got, needed: 1 }.into());
+        }
+    }
     check_domains(patches)?;
 
     // One after another along u, in strips that share the knots of v.

@@ -6,7 +6,7 @@ use crate::{
     Direction, Grid, Interval, Side,
     frame::{norm, unit},
     homogeneous,
-    numeric::linear::TwoEquations,
+    numeric::{linear::TwoEquations, symmetric_eigen::mean_and_spread},
     surface::NurbsSurface,
     tolerance::VANISHING_RELATIVE,
 };
@@ -179,8 +179,9 @@ pub(in crate::surface) struct HeightDerivatives {
 impl HeightDerivatives {
     /// The largest difference of normal curvatures in one direction.
     pub(in crate::surface) fn bend_from(&self, other: &Self) -> f64 {
-        let [a, b, c] = [0, 1, 2].map(|i| self.second[i] - other.second[i]);
-        0.5 * (a + c).abs() + libm::hypot(0.5 * (a - c), b)
+        let apart = [0, 1, 2].map(|i| self.second[i] - other.second[i]);
+        let [mean, spread] = mean_and_spread(apart);
+        mean.abs() + spread
     }
 }
 

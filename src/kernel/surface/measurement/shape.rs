@@ -10,6 +10,7 @@ use glam::DVec3;
 use crate::{
     GeomError, Grid, InputError, LocalError, Tolerance,
     frame::{norm, unit},
+    numeric::symmetric_eigen::mean_and_spread,
     tolerance::VANISHING_RELATIVE,
 };
 
@@ -184,8 +185,8 @@ impl SurfaceShape {
 
     /// Half of the difference of the principal curvatures.
     fn spread(&self) -> f64 {
-        let [a, b, c] = self.tensor;
-        libm::hypot(0.5 * (a - c), b)
+        let [_, spread] = mean_and_spread(self.tensor);
+        spread
     }
 
     /// The principal curvatures with their directions.

@@ -1,6 +1,6 @@
 //! Surfaces of a function: any map of a rectangle into space that can tell its derivatives.
 
-use std::{fmt, sync::Arc};
+use std::{any::Any, fmt, sync::Arc};
 
 use glam::{DAffine3, DVec3};
 
@@ -108,6 +108,8 @@ pub struct ParametricSurface {
     /// The surface divided by a power of two near its size, with that power, where squares of its
     /// coordinates are no numbers.
     scaled: Option<(Arc<Self>, f64)>,
+    /// What the function may need to answer.
+    _kept: Option<Arc<dyn Any + Send + Sync>>,
 }
 
 impl ParametricSurface {
@@ -122,7 +124,8 @@ impl ParametricSurface {
         function: Arc<dyn SurfaceFunction>,
     ) -> Result<Self, GeomError> {
         let map = DAffine3::IDENTITY;
-        let surface = Self { domain_u, domain_v, function, map, fold_area: 0.0, scaled: None };
+        let surface =
+            Self { domain_u, domain_v, function, map, fold_area: 0.0, scaled: None, _kept: None };
         surface.measured()
     }
 
@@ -301,6 +304,14 @@ impl ParametricSurface {
     pub fn isocurve_v(&self, v: f64) -> Result<ParametricCurve, GeomError> {
         let isocurve = Isocurve { surface: self.clone(), at: v, along: Direction::U };
         ParametricCurve::new(self.domain_u, Arc::new(isocurve))
+    }
+
+    /// The same surface, which keeps something alive that its function needs, as does all that is made of it.
+    #[must_use]
+    pub fn keeping(&self, kept: Arc<dyn Any + Send + Sync>) -> Self {
+        let scaled = self.scaled.as_ref();
+        let scaled = scaled.map(|(own, size)| (Arc::new(own.keeping(Arc::clone(&kept))), *size));
+        Self { scaled, _kept: Some(kept), ..self.clone() }
     }
 
     /// The image under an affine map.

@@ -1,12 +1,10 @@
 //! `continuity` of two curves, or of one.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Result, Spanned},
-    kernel::{Continuity, Curve, Side},
-    ops::measure::continuity_limits::ContinuityOptions,
-    value::{Angle, At, Ctx, Curvature, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
+    kernel::{Curve, Side},
+    ops::measure::continuity_limits::{ContinuityOptions, continuity_fields},
+    value::{Angle, At, Ctx, Curvature, Length, Maybe, Record, op},
 };
 
 op! {
@@ -70,16 +68,5 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
         }
         None => args.a.value.continuity(tolerance),
     };
-    let Continuity { c, g, gap, angle, curvature_gap, c_homogeneous } = found.at(args.a.span)?;
-    Ok(Record::new([
-        (Arc::from("c"), i64::from(c).into_value()),
-        (Arc::from("g"), i64::from(g).into_value()),
-        (Arc::from("gap"), Length(gap).into_value()),
-        (Arc::from("angle"), Angle(angle).into_value()),
-        (
-            Arc::from("curvature_gap"),
-            curvature_gap.map_or(Value::None, |gap| LengthPower::<-1>(gap).into_value()),
-        ),
-        (Arc::from("c_homogeneous"), i64::from(c_homogeneous).into_value()),
-    ]))
+    Ok(Record::new(continuity_fields(found.at(args.a.span)?)))
 }

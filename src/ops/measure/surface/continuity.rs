@@ -1,12 +1,10 @@
 //! `continuity` of two surfaces across an edge, or of one.
 
-use std::sync::Arc;
-
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Edge, Surface, SurfaceContinuity},
-    ops::measure::continuity_limits::ContinuityOptions,
-    value::{Angle, At, Ctx, Curvature, IntoValue, Length, LengthPower, Maybe, Record, Value, op},
+    kernel::{Continuity, Edge, Surface, SurfaceContinuity},
+    ops::measure::continuity_limits::{ContinuityOptions, continuity_fields},
+    value::{Angle, At, Ctx, Curvature, Length, Maybe, Record, Value, op},
 };
 
 op! {
@@ -80,16 +78,7 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Record> {
     };
     let found = found.at(args.a.span)?;
     let SurfaceContinuity { c, g, gap, angle, curvature_gap, c_homogeneous, at } = found;
-    Ok(Record::new([
-        (Arc::from("c"), i64::from(c).into_value()),
-        (Arc::from("g"), i64::from(g).into_value()),
-        (Arc::from("gap"), Length(gap).into_value()),
-        (Arc::from("angle"), Angle(angle).into_value()),
-        (
-            Arc::from("curvature_gap"),
-            curvature_gap.map_or(Value::None, |gap| LengthPower::<-1>(gap).into_value()),
-        ),
-        (Arc::from("c_homogeneous"), i64::from(c_homogeneous).into_value()),
-        (Arc::from("at"), at.map_or(Value::None, Value::Point)),
-    ]))
+    let at = at.map_or(Value::None, Value::Point);
+    let fields = continuity_fields(Continuity { c, g, gap, angle, curvature_gap, c_homogeneous });
+    Ok(Record::new(fields.into_iter().chain([("at".into(), at)])))
 }

@@ -5,7 +5,10 @@
 //! goes different ways the change is found by bisection; how it moves follows from what is compared there, by
 //! the theorem of implicit functions. Leibniz' rule, as for the ends of a range.
 
-use super::found::{Found, six_digit_place};
+use super::{
+    super::switching::{END_SLOPE, bisected},
+    found::{Found, six_digit_place},
+};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{
@@ -19,15 +22,6 @@ use crate::{
 
 /// Changes between two neighbouring places.
 const MOST_CHANGES: usize = 8;
-
-/// Where between two places the function is asked, the second where it fails at the first.
-const SHARES: [f64; 2] = [0.5, 0.4375];
-
-/// All bits of a number.
-const HALVINGS: usize = 64;
-
-/// The derivative at the end of four steps, by the values at all their ends.
-const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
 
 /// What follows beyond an end of a range.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -206,7 +200,7 @@ impl MovingCuts<'_> {
             .min(SWITCH_STEP_RELATIVE * (self.ends[1] - self.ends[0]))
             .copysign(reach);
         let mut sum = 0.0;
-        for (k, weight) in SLOPE.iter().enumerate() {
+        for (k, weight) in END_SLOPE.iter().enumerate() {
             let found = ask(Real::Plain(at - k as f64 * step))?;
             let Some(Some(margin)) =
                 found.switches.get(cut.number).map(|switch| switch.margin.clone())
@@ -241,17 +235,9 @@ pub(super) fn between(
     ask: &mut dyn FnMut(Real) -> Result<Found>,
 ) -> Result<Option<(Cut, SeenPlace)>> {
     let first = ask(Real::Plain(low.at))?;
-    let mut sides = [(low.at, first), (high.at, ask(Real::Plain(high.at))?)];
-    for _ in 0..HALVINGS {
-        let (from, to) = (sides[0].0, sides[1].0);
-        let inside = SHARES.map(|share| from + share * (to - from));
-        let inside = inside.into_iter().filter(|at| from < *at && *at < to);
-        // At the change itself there may be no derivative.
-        let found = inside.map(|at| (at, ask(Real::Plain(at)))).find(|(_, found)| found.is_ok());
-        let Some((middle, Ok(found))) = found else { break };
-        let side = usize::from(!is_like(&found.switches, &sides[0].1.switches));
-        sides[side] = (middle, found);
-    }
+    let sides = [(low.at, first), (high.at, ask(Real::Plain(high.at))?)];
+    let is_first = |one: &Found, other: &Found| is_like(&one.switches, &other.switches);
+    let sides = bisected(sides, |at| ask(Real::Plain(at)), is_first);
     let [(_, before), (at, behind)] = &sides;
     let mut pairs = before.switches.iter().zip(&behind.switches);
     let number = pairs.position(|(a, b)| !a.is_like(b)).unwrap_or(before.switches.len());

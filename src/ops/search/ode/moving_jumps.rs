@@ -5,7 +5,10 @@
 //! what is compared there, by the theorem of implicit functions, and by so much times the jump of the rate the slopes of
 //! the trajectory jump. Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, §I.14, §II.6.
 
-use super::state::{Search, State};
+use super::{
+    super::switching::{END_SLOPE, bisected},
+    state::{Search, State},
+};
 use crate::{
     diag::{Code, Diagnostic, Result},
     kernel::{
@@ -17,15 +20,6 @@ use crate::{
     },
     value::{Ctx, Real, Switch, is_like},
 };
-
-/// All bits of a number, and of what is small beside it.
-const HALVINGS: usize = 128;
-
-/// Where between two places the function is asked, the second where it fails at the first.
-const SHARES: [f64; 2] = [0.5, 0.4375];
-
-/// The derivative at the end of four steps, by the values at all their ends.
-const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
 
 /// How often such steps become shorter, where on a longer way back another way was gone.
 const TIMES_SHORTER: usize = 5;
@@ -40,15 +34,9 @@ pub(super) enum Stop {
 }
 
 /// What a function of the script yields at a place, with what decided it.
-struct Asked {
+struct RateAnswer {
     rate: Vec<f64>,
     way: Vec<Switch>,
-}
-
-/// The function where it was asked so far behind the end of a branch.
-struct Beside {
-    width: f64,
-    asked: Asked,
 }
 
 /// The rate that a function of the script tells.
@@ -71,7 +59,7 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         Self { ctx, search, state, way: Vec::new(), since, largest: 0.0, seen: None }
     }
 
-    fn asked(&mut self, place: f64, parts: &[f64]) -> Result<Asked> {
+    fn asked(&mut self, place: f64, parts: &[f64]) -> Result<RateAnswer> {
         let Search { f, range, varies, .. } = self.search;
         let is_noted = *varies || self.state.like.is_some();
         let outer = self.ctx.caller.note_switches(is_noted.then(Vec::new));
@@ -88,47 +76,35 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         let rate = self.state.flat(&found);
         let own = rate.iter().take(self.state.n_numbers());
         self.largest = own.fold(self.largest, |most, part| most.max(part.abs()));
-        Ok(Asked { rate, way })
+        Ok(RateAnswer { rate, way })
     }
 
-    /// Between which widths behind the end of a branch the function goes another way first, neighbouring numbers; none if
-    /// it does not over all of the width.
-    fn change(&mut self, end: BranchEnd<'_>, width: f64) -> Result<Option<[Beside; 2]>> {
-        let mut beside = |width: f64| -> Result<Beside> {
-            let asked = self.asked(end.place + width, &end.state_after(width))?;
-            Ok(Beside { width, asked })
-        };
-        let [mut inside, mut outside] = [beside(0.0)?, beside(width)?];
-        if is_like(&inside.asked.way, &outside.asked.way) {
+    /// Between which widths behind the end of a branch the function goes another way first, neighbouring numbers, with its
+    /// answers there; none if it does not over all of the width.
+    fn change(&mut self, end: BranchEnd<'_>, width: f64) -> Result<Option<[(f64, RateAnswer); 2]>> {
+        let mut ask = |width: f64| self.asked(end.place + width, &end.state_after(width));
+        let sides = [(0.0, ask(0.0)?), (width, ask(width)?)];
+        let is_first = |one: &RateAnswer, other: &RateAnswer| is_like(&one.way, &other.way);
+        if is_first(&sides[0].1, &sides[1].1) {
             return Ok(None);
         }
-        let beyond = outside.asked.way.clone();
-        for _ in 0..HALVINGS {
-            let (from, length) = (inside.width, outside.width - inside.width);
-            let places = SHARES.map(|share| from + share * length).into_iter();
-            let is_apart = |at: f64, other: f64| at.total_cmp(&other).is_ne();
-            let is_between = |at: &f64| is_apart(*at, inside.width) && is_apart(*at, outside.width);
-            // On the place itself there may be no derivative.
-            let found = places.filter(is_between).find_map(|at| beside(at).ok());
-            let Some(found) = found else { break };
-            let is_inside = is_like(&found.asked.way, &inside.asked.way);
-            *(if is_inside { &mut inside } else { &mut outside }) = found;
-        }
+        let beyond = sides[1].1.way.clone();
+        let [inside, mut outside] = bisected(sides, &mut ask, is_first);
         // A way that is gone at one number alone, as by `sign` at 0, lies between the two others.
-        let at = end.place + outside.width;
-        let next = if 0.0 < width { at.next_up() } else { at.next_down() };
-        if let Ok(found) = beside(next - end.place)
-            && !is_like(&found.asked.way, &outside.asked.way)
-            && !is_like(&found.asked.way, &inside.asked.way)
-            && is_like(&found.asked.way, &beyond)
+        let at = end.place + outside.0;
+        let next = (if 0.0 < width { at.next_up() } else { at.next_down() }) - end.place;
+        if let Ok(found) = ask(next)
+            && !is_first(&found, &outside.1)
+            && !is_first(&found, &inside.1)
+            && is_like(&found.way, &beyond)
         {
-            outside = found;
+            outside = (next, found);
         }
         Ok(Some([inside, outside]))
     }
 
     /// By how much the rate falls from one side to the other; none where it goes on.
-    fn jump(&self, [before, behind]: [&Asked; 2]) -> Option<Vec<f64>> {
+    fn jump(&self, [before, behind]: [&RateAnswer; 2]) -> Option<Vec<f64>> {
         let n = self.state.n_numbers();
         let jump: Vec<f64> =
             before.rate.iter().zip(&behind.rate).take(n).map(|(a, b)| a - b).collect();
@@ -179,7 +155,7 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
 
     fn speed_over(&mut self, end: BranchEnd<'_>, number: usize, step: f64) -> Result<Option<f64>> {
         let mut sum = 0.0;
-        for (k, weight) in SLOPE.iter().enumerate() {
+        for (k, weight) in END_SLOPE.iter().enumerate() {
             let back = -(k as f64) * step;
             let found = self.asked(end.place + back, &end.state_after(back))?;
             let margin = found.way.get(number).and_then(|switch| switch.margin.as_ref());
@@ -196,22 +172,22 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
         let Some([inside, outside]) = self.change(end, to - end.place)? else {
             return Ok(end.state_after(to - end.place));
         };
-        let mut state = end.state_after(inside.width);
-        let jump = self.jump([&inside.asked, &outside.asked]);
+        let mut state = end.state_after(inside.0);
+        let jump = self.jump([&inside.1, &outside.1]);
         let mut moves = false;
         if let Some(jump) = &jump {
-            let motion = self.motion(end, [&inside.asked.way, &outside.asked.way])?;
+            let motion = self.motion(end, [&inside.1.way, &outside.1.way])?;
             moves = motion.iter().any(|part| *part != 0.0);
             for (motion, slopes) in motion.iter().zip(state.chunks_mut(jump.len()).skip(1)) {
                 slopes.iter_mut().zip(jump).for_each(|(slope, jump)| *slope += motion * jump);
             }
         }
-        let place = end.place + outside.width;
+        let place = end.place + outside.0;
         let rate = self.asked(place, &state)?.rate;
         let behind = BranchEnd { place, state: &state, rate: &rate }.state_after(to - place);
         // It turns back at once, goes a third way, or the range ends there.
         let is_beside = || to >= self.search.range.ends[1];
-        if moves && (is_beside() || !is_like(&self.asked(to, &behind)?.way, &outside.asked.way)) {
+        if moves && (is_beside() || !is_like(&self.asked(to, &behind)?.way, &outside.1.way)) {
             return self.unknown(end.place);
         }
         Ok(behind)
@@ -231,13 +207,13 @@ impl<'a, 'c> ScriptRate<'a, 'c> {
             let end = BranchEnd { place: node.place, state: &node.state, rate: &node.rate };
             // Beyond the range there may be no rate.
             let Ok(Some([inside, outside])) = self.change(end, width) else { continue };
-            let ways = inside.asked.way.iter().zip(&outside.asked.way);
+            let ways = inside.1.way.iter().zip(&outside.1.way);
             let mut other = ways.filter(|(one, other)| !one.is_like(other));
             let moves = other.next().is_some_and(|(one, _)| {
                 let slopes = one.margin.as_ref().map(|margin| margin.like(like).slopes().to_vec());
                 slopes.is_none_or(|slopes| slopes.iter().any(|slope| *slope != 0.0))
             });
-            if moves && self.jump([&inside.asked, &outside.asked]).is_some() {
+            if moves && self.jump([&inside.1, &outside.1]).is_some() {
                 return self.unknown(node.place);
             }
         }
