@@ -36,8 +36,8 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::{Ceiling, work},
     value::{
-        Callback, CommonDimension, Ctx, Dimension, FromValue, List, Number, Op, Real, Value, Vector, Witness,
-        WitnessOf,
+        Callback, CommonDimension, Ctx, Dimension, FromValue, List, Number, Op, Real, Value,
+        Vector, Witness, WitnessOf,
     },
 };
 
