@@ -66,6 +66,7 @@ use super::{Bounds, CountError, GeomError, InputError, frame::unit, tolerance::U
 pub use any::{grid_mesh_any, tessellate_any, tessellate_curve_any};
 pub(crate) use arc_places::BorderVertex;
 pub use cell_bounds::TessellationOptions;
+pub(crate) use crossing::{CommonWeights, TriangleMeeting};
 pub use distance::distance_to_polyline;
 pub use fault::{FaceFault, MeshError};
 pub use grid::grid_mesh;
@@ -251,6 +252,11 @@ impl Mesh {
     /// The corners of a triangle.
     fn corners_of(&self, triangle: u32) -> [DVec3; 3] {
         self.triangles[triangle as usize].map(|corner| self.vertices[corner as usize])
+    }
+
+    /// The parameters of the corners of a triangle of a mesh with parameters.
+    pub(crate) fn uvs_of(&self, triangle: u32) -> [DVec2; 3] {
+        self.triangles[triangle as usize].map(|corner| self.uvs[corner as usize])
     }
 
     /// The corners of each triangle.

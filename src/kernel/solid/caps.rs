@@ -47,13 +47,22 @@ impl Solid {
     /// Those of [`Self::capped`] but for rims and crossings.
     pub(super) fn closed_by(
         faces: &[Face],
-        PlaneCaps { regions, mut edges, .. }: PlaneCaps,
+        PlaneCaps { regions, mut edges, rims, .. }: PlaneCaps,
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
         let caps = regions.iter().map(|region| Face::of_region(region, tolerance));
         let caps: Vec<Face> = caps.collect::<Result<_, GeomError>>()?;
         edges.extend(FaceBorderEdge::all(&caps, faces.len(), tolerance)?);
-        Self::with_edges(&[faces, &caps].concat(), &edges, tolerance)
+        match Self::with_edges(&[faces, &caps].concat(), &edges, tolerance) {
+            // Beside a place where rims cross, a cap is on the wrong side of the walls of one of them.
+            Err(GeomError::Face(FaceError::OneSided { faces })) => {
+                match crossing(&rims, tolerance)? {
+                    Some(point) => Err(SolidError::CrossesItself { point }.into()),
+                    None => Err(FaceError::OneSided { faces }.into()),
+                }
+            }
+            found => found,
+        }
     }
 }
 
@@ -64,6 +73,8 @@ pub(super) struct PlaneCaps {
     pub(super) edges: Vec<FaceBorderEdge>,
     /// Whether rims meet one another, or themselves.
     pub(super) has_knots: bool,
+    /// The rims of each plane.
+    rims: Vec<Vec<NurbsCurve>>,
 }
 
 /// The regions within the rims of faces.
@@ -86,7 +97,12 @@ pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCa
     // Where surfaces only touch a plane, crumbs of edges are left, which are one place.
     rims.retain(|rim| distance < rim.bounds().diagonal());
     let has_knots = has_knots(&rims, 2.0 * distance);
-    Ok(PlaneCaps { regions: regions_within(rims, distance, tolerance)?, edges, has_knots })
+    let rims = rims_by_plane(rims, distance)?;
+    let mut regions = Vec::new();
+    for rims in &rims {
+        regions.extend(Region::even_odd(rims, tolerance, 1)?);
+    }
+    Ok(PlaneCaps { regions, edges, has_knots, rims })
 }
 
 /// Whether more than two ends of edges are one place, or an edge passes by an end of others.
@@ -105,15 +121,32 @@ fn passes_by(edge: &NurbsCurve, places: &[DVec3], distance: f64) -> bool {
     near.any(|place| is_apart(&place) && edge.closest(*place, distance).distance <= distance)
 }
 
-/// The regions that plane edges close, even-odd in each plane.
+/// A place where a rim crosses another one of its plane, or itself.
+///
+/// # Errors
+/// Those of [`NurbsCurve::intersections`].
+fn crossing(rims: &[Vec<NurbsCurve>], tolerance: Tolerance) -> Result<Option<DVec3>, GeomError> {
+    for rims in rims {
+        for (i, rim) in rims.iter().enumerate() {
+            let distance = tolerance.distance_for(rim.bounds().diagonal());
+            for other in &rims[i + 1..] {
+                if let Some(found) = rim.intersections(other, distance)?.first() {
+                    return Ok(Some(found.point));
+                }
+            }
+            if let Some(found) = rim.self_intersections(distance)?.first() {
+                return Ok(Some(found.point));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The closed rims that plane edges make, by their planes.
 ///
 /// # Errors
 /// Those of [`Solid::capped`] but for what faces enclose.
-fn regions_within(
-    edges: Vec<NurbsCurve>,
-    distance: f64,
-    tolerance: Tolerance,
-) -> Result<Vec<Region>, GeomError> {
+fn rims_by_plane(edges: Vec<NurbsCurve>, distance: f64) -> Result<Vec<Vec<NurbsCurve>>, GeomError> {
     let mut planes: Vec<(Frame, Vec<NurbsCurve>)> = Vec::new();
     for rim in closed_rims(edges, 2.0 * distance)? {
         let is_in = |plane: &Frame| {
@@ -124,11 +157,7 @@ fn regions_within(
             None => planes.push((plane_of(&rim, distance)?, vec![rim])),
         }
     }
-    let mut caps = Vec::new();
-    for (_, rims) in planes {
-        caps.extend(Region::even_odd(&rims, tolerance, 1)?);
-    }
-    Ok(caps)
+    Ok(planes.into_iter().map(|(_, rims)| rims).collect())
 }
 
 /// # Errors

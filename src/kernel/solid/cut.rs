@@ -79,8 +79,14 @@ impl Solid {
         }
         let has_knots = caps.has_knots;
         let side = Self::closed_by(&faces, caps, tolerance)?;
-        if has_knots && let Some(point) = side.topology(tolerance)?.pinched_vertex() {
-            return Err(SolidError::TouchesPlane { point }.into());
+        if has_knots {
+            match side.topology(tolerance)?.pinch(2.0 * distance).as_deref() {
+                Some(&[point]) => return Err(SolidError::TouchesPlane { point }.into()),
+                Some(&[start, end]) => {
+                    return Err(SolidError::TouchesAlong { ends: [start, end] }.into());
+                }
+                _ => {}
+            }
         }
         let center = amid(&faces);
         let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());

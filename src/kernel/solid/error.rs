@@ -46,6 +46,12 @@ pub enum SolidError {
     /// Faces that go through one another.
     #[error("the faces go through one another near {}; those of a solid meet in their edges alone", place(*point))]
     CrossesItself { point: DVec3 },
+    /// Faces that lie on one another.
+    #[error(
+        "parts of the faces lie on one another near {}, as of a wall that runs back over itself; those of a solid meet in their edges alone",
+        place(*point)
+    )]
+    Overlaid { point: DVec3 },
     /// A face that narrows to a point.
     #[error("the solid would touch itself at {}, where face [{face}] narrows to a point", place(*point))]
     Pinched { face: usize, point: DVec3 },
@@ -85,6 +91,12 @@ pub enum SolidError {
     /// A side of a plane that touches itself in the plane.
     #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },
+    /// A side of a plane that touches itself along an edge in the plane.
+    #[error(
+        "this side of the plane would touch itself along the edge from {} to {}, where parts of it meet in the plane alone",
+        place(ends[0]), place(ends[1])
+    )]
+    TouchesAlong { ends: [DVec3; 2] },
     /// An edge that is not gone along by two faces from end to end.
     #[error("the edge at {} has no other one along all of it, so that no faces share it", place(*point))]
     UnmatchedEdge { point: DVec3 },

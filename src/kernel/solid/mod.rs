@@ -4,11 +4,12 @@
 //! which, `caps` plane rims that are closed by plane faces, `cut` what is on a side of a plane and in it,
 //! `beside_rim` planes that nearly touch an edge, `sweep` regions
 //! that are moved along a vector or about an axis, `mesh` triangles whose vertices neighbours share, `topology` edges
-//! that they share, `edge_angle` how faces meet along them, `place` where points are, `contents` what it is made of.
+//! that they share, `crossing` whether they go through one another, `edge_angle` how faces meet along them, `place` where points are, `contents` what it is made of.
 
 mod beside_rim;
 mod caps;
 mod contents;
+mod crossing;
 mod cut;
 mod edge_angle;
 mod edges;
@@ -57,6 +58,8 @@ pub struct Solid {
     faces: Vec<Face>,
     /// The faces of each shell by their numbers.
     shells: Vec<Vec<usize>>,
+    /// Whether it was not looked at whether it goes through itself.
+    may_cross: bool,
 }
 
 impl Solid {
@@ -65,7 +68,7 @@ impl Solid {
     /// # Errors
     /// `FaceError::OpenShell`, `FaceError::CrowdedShell`, `FaceError::OneSided` of faces that do not close;
     /// [`SolidError::Thin`], [`SolidError::ShellsMeet`], [`SolidError::UnclearNesting`], [`SolidError::CrossesItself`],
-    /// [`SolidError::Pinched`];
+    /// [`SolidError::Overlaid`], [`SolidError::Pinched`];
     /// `GeomError::Ended`.
     pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
         check_pinches(faces, tolerance)?;
@@ -109,7 +112,8 @@ impl Solid {
             numbers.sort_unstable();
             numbers
         };
-        let mut solid = Self { faces, shells: shells.iter().map(numbers).collect() };
+        let mut solid =
+            Self { faces, shells: shells.iter().map(numbers).collect(), may_cross: false };
         for shell in solid.voids(tolerance)? {
             for &face in &solid.shells[shell] {
                 solid.faces[face] = solid.faces[face].reversed();
@@ -122,6 +126,12 @@ impl Solid {
     #[must_use]
     pub fn faces(&self) -> &[Face] {
         &self.faces
+    }
+
+    /// Whether it was not looked at whether it goes through itself, because its mesh is too large.
+    #[must_use]
+    pub fn may_cross(&self) -> bool {
+        self.may_cross
     }
 
     /// The faces of each shell.
@@ -176,7 +186,7 @@ impl Solid {
             Ok(if is_mirror { image.reversed() } else { image })
         };
         let faces = self.faces.iter().map(image).collect::<Result<_, GeomError>>()?;
-        Ok(Self { faces, shells: self.shells.clone() })
+        Ok(Self { faces, shells: self.shells.clone(), may_cross: self.may_cross })
     }
 }
 

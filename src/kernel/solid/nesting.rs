@@ -75,7 +75,7 @@ impl Solid {
     /// Those of [`Self::bodies`].
     pub fn separate_bodies(&self, tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let alone = |body: SolidBody| {
-            let mut own = Self { faces: Vec::new(), shells: Vec::new() };
+            let mut own = Self { faces: Vec::new(), shells: Vec::new(), may_cross: self.may_cross };
             for shell in [body.outer].into_iter().chain(body.voids) {
                 let first = own.faces.len();
                 own.shells.push((first..first + shell.len()).collect());

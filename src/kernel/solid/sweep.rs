@@ -55,7 +55,7 @@ impl Solid {
             faces.push(facing(side, is_up, tolerance)?);
         }
         let shells = vec![(0..faces.len()).collect()];
-        Ok(Self { faces, shells })
+        Ok(Self { faces, shells, may_cross: false })
     }
 
     /// What a region passes that is turned about an axis in its plane, by up to a full turn either way.
@@ -114,7 +114,7 @@ impl Solid {
         if !is_full {
             shells = vec![(0..faces.len()).collect()];
         }
-        Ok(Self { faces, shells })
+        Ok(Self { faces, shells, may_cross: false })
     }
 }
 

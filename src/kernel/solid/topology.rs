@@ -80,8 +80,29 @@ impl SolidTopology {
         self.n_shells as i64 - euler / 2
     }
 
-    /// A vertex about which faces do not follow one another in one ring: there the solid touches itself.
-    pub(super) fn pinched_vertex(&self) -> Option<DVec3> {
+    /// Where the solid touches itself: a vertex about which faces do not follow one another in one ring, or both ends
+    /// of an edge beside which another one is, no further than a reach, if these are such vertices.
+    pub(super) fn pinch(&self, reach: f64) -> Option<Vec<DVec3>> {
+        let pinched = self.pinched_vertices();
+        let first = pinched.iter().position(|&is_pinched| is_pinched)?;
+        let is_beside = |edge: &SolidEdge, other: &SolidEdge| {
+            sense_along(&edge.curve, edge.vertices, (&other.curve, other.vertices), reach).is_some()
+                && other.vertices.iter().all(|end| edge.vertices.contains(end))
+        };
+        let is_pinched = |edge: &&SolidEdge| edge.vertices.iter().all(|&end| pinched[end]);
+        let edges: Vec<&SolidEdge> = self.edges.iter().filter(is_pinched).collect();
+        let doubled = edges
+            .iter()
+            .enumerate()
+            .find(|&(i, edge)| edges[i + 1..].iter().any(|other| is_beside(edge, other)));
+        Some(match doubled {
+            Some((_, edge)) => edge.vertices.map(|end| self.vertices[end]).to_vec(),
+            None => vec![self.vertices[first]],
+        })
+    }
+
+    /// Whether about each vertex faces do not follow one another in one ring.
+    fn pinched_vertices(&self) -> Vec<bool> {
         // The ends of each edge, 2·e and 2·e + 1, that corners of faces have in common.
         let mut rings = DisjointSets::new(2 * self.edges.len());
         for steps in self.loops.iter().flatten().flatten() {
@@ -91,15 +112,14 @@ impl SolidTopology {
             }
         }
         let mut ring_of: Vec<Option<usize>> = vec![None; self.vertices.len()];
+        let mut is_pinched = vec![false; self.vertices.len()];
         for (number, edge) in self.edges.iter().enumerate() {
             for (end, &vertex) in edge.vertices.iter().enumerate() {
                 let ring = rings.least(2 * number + end);
-                if *ring_of[vertex].get_or_insert(ring) != ring {
-                    return Some(self.vertices[vertex]);
-                }
+                is_pinched[vertex] |= *ring_of[vertex].get_or_insert(ring) != ring;
             }
         }
-        None
+        is_pinched
     }
 }
 
@@ -226,6 +246,10 @@ impl EdgeTable {
         for pair in arc.stops.windows(2) {
             GeomError::go_on(1)?;
             let ends = [pair[0].1, pair[1].1];
+            // What the tolerance leaves of an edge whose ends are one vertex is that.
+            if ends[0] == ends[1] && self.is_place(&arc.curve, [pair[0].0, pair[1].0]) {
+                continue;
+            }
             let piece = match arc.stops.len() {
                 2 => arc.curve.clone(),
                 _ => arc.curve.trimmed(Interval::new(pair[0].0, pair[1].0)?)?,
@@ -233,6 +257,16 @@ impl EdgeTable {
             steps.push(self.step(piece, ends, face));
         }
         Ok(())
+    }
+
+    /// Whether a piece of a curve is no longer than the distance within which things are one.
+    fn is_place(&self, curve: &NurbsCurve, [from, to]: [f64; 2]) -> bool {
+        let [start, end] = [from, to].map(|t| curve.point_at(t));
+        let within = |share: f64| {
+            let point = curve.point_at(from + (to - from) * share);
+            point.distance(start).max(point.distance(end)) <= self.reach
+        };
+        start.distance(end) <= self.reach && [0.5, 0.21, 0.83].into_iter().all(within)
     }
 
     fn step(&mut self, piece: NurbsCurve, ends: [usize; 2], face: usize) -> (usize, bool) {

@@ -78,3 +78,25 @@ pub(crate) const CLEAR_SINE: f64 = 0.1;
 ///
 /// Larger leaves legs that cross beside their ends; smaller makes legs as short as rounding.
 pub(crate) const LEG_MARGIN: f64 = 0.02;
+
+/// The mesh that tells where a solid may go through itself is no further than this part of its size from its faces.
+/// What goes through by more than twice as much is seen.
+///
+/// Larger misses more; smaller makes more triangles, in proportion.
+pub(crate) const CROSSING_CHORD_RELATIVE: f64 = 5e-4;
+
+/// Triangles may lie on one another where the cosine of the angle between them is this or more.
+///
+/// Larger misses facets of two meshes of one bent surface, which lean by as much as they bend; smaller looks at
+/// more pairs that only come near one another.
+pub(crate) const OVERLAID_COSINE: f64 = 0.8;
+
+/// Triangles lie on one another where their common part is larger than this part of the smaller one.
+///
+/// Larger misses narrow strips; smaller looks at neighbours that rounding lets overlap.
+pub(crate) const OVERLAID_SHARE: f64 = 0.01;
+
+/// An edge comes to a triangle where the weights of its corners are no less than this below zero.
+///
+/// Larger looks at edges that pass by; smaller lets edges through between two triangles.
+pub(crate) const WEIGHT_SLACK: f64 = 1e-9;

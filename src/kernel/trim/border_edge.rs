@@ -28,6 +28,31 @@ pub(super) struct FacePair {
     pub(super) must_turn: bool,
 }
 
+/// Another edge beside a place of one.
+#[derive(Clone, Copy)]
+struct PlaceBeside {
+    other: usize,
+    /// How far it is.
+    gap: f64,
+    /// Its way there.
+    way: DVec3,
+    /// The place, and the way of the edge that has it.
+    point: DVec3,
+    along: DVec3,
+}
+
+/// What is beside a part of an edge.
+enum PartBeside {
+    One(PlaceBeside),
+    /// At this place of it.
+    Nothing(DVec3),
+    /// At the first place that was looked at, and at the one where most room is.
+    Crowd {
+        first: Vec<PlaceBeside>,
+        widest: Vec<PlaceBeside>,
+    },
+}
+
 /// The edges of several faces, among which those beside a place are looked for.
 pub(super) struct NeighbourSearch<'e> {
     edges: &'e [FaceBorderEdge],
@@ -132,80 +157,133 @@ impl<'e> NeighbourSearch<'e> {
         Self { edges, boxes, distance }
     }
 
-    /// The face of an edge, and that on the other side in one of [`N_PLACES`] parts of it; else a place where there
-    /// is none.
+    /// For each of [`N_PLACES`] parts of an edge its face and that on the other side; else a place where there is none.
     ///
     /// Where edges run into a common place along one tangent several are beside it, and of others of the same part
-    /// one is asked.
+    /// one is asked. Where all of a part beside an end is that near, the neighbour of the next part goes on.
     ///
     /// # Errors
-    /// [`FaceError::CrowdedShell`], [`FaceError::NearEdges`] where several are beside all of them.
-    pub(super) fn neighbour(
-        &self,
-        own: usize,
-        part: usize,
-    ) -> Result<Result<FacePair, DVec3>, GeomError> {
-        let mut crowd = None;
-        for within in WITHIN_PART {
-            let place = self.edges[own].place((part as f64 + within) / N_PLACES as f64);
-            match self.neighbour_at(own, place) {
-                Ok(found) => return Ok(found.ok_or(place.0)),
-                Err(GeomError::Ended) => return Err(GeomError::Ended),
-                Err(error) => crowd = crowd.or(Some(error)),
-            }
+    /// [`FaceError::CrowdedShell`], [`FaceError::NearEdges`] where several are beside it.
+    pub(super) fn neighbours(&self, own: usize) -> Result<Vec<Result<FacePair, DVec3>>, GeomError> {
+        let mut parts = Vec::with_capacity(N_PLACES);
+        for part in 0..N_PLACES {
+            GeomError::go_on(1)?;
+            parts.push(self.beside_part(own, part));
         }
-        let Some(error) = crowd else { unreachable!("a part has places") };
-        Err(error)
+        let crowd_from = |end: &mut dyn Iterator<Item = &PartBeside>| {
+            end.take_while(|part| matches!(part, PartBeside::Crowd { .. })).count()
+        };
+        let first = crowd_from(&mut parts.iter());
+        let last = N_PLACES - crowd_from(&mut parts.iter().rev());
+        let mut found = Vec::with_capacity(N_PLACES);
+        for (number, part) in parts.iter().enumerate() {
+            let next = match number {
+                _ if number < first => parts.get(first),
+                _ if last <= number => last.checked_sub(1).and_then(|next| parts.get(next)),
+                _ => None,
+            };
+            let (end, innermost) = if number < first { (0, first - 1) } else { (1, last) };
+            found.push(match (part, next) {
+                (PartBeside::One(place), _) => Ok(self.pair(own, place)),
+                (PartBeside::Nothing(point), _) => Err(*point),
+                (PartBeside::Crowd { first, widest }, Some(PartBeside::One(known))) => {
+                    let other = Some(known.other);
+                    let goes_on = self.comes_together(own, end, &parts[innermost], other);
+                    let place = widest.iter().find(|place| place.other == known.other);
+                    match place.filter(|_| goes_on) {
+                        Some(place) => Ok(self.pair(own, place)),
+                        None => return Err(self.crowd(own, first)),
+                    }
+                }
+                (PartBeside::Crowd { widest, .. }, Some(PartBeside::Nothing(point)))
+                    if self.comes_together(own, end, &parts[innermost], None) =>
+                {
+                    Err(widest.first().map_or(*point, |place| place.point))
+                }
+                (PartBeside::Crowd { first, .. }, _) => return Err(self.crowd(own, first)),
+            });
+        }
+        Ok(found)
     }
 
-    fn neighbour_at(
+    fn pair(&self, own: usize, place: &PlaceBeside) -> FacePair {
+        let faces = [self.edges[own].face, self.edges[place.other].face];
+        FacePair { faces, must_turn: 0.0 < place.along.dot(place.way) }
+    }
+
+    /// Whether all that is beside a part of an edge ends where that does at this end, and all but its neighbour leave it.
+    fn comes_together(
         &self,
         own: usize,
-        (point, along): (DVec3, DVec3),
-    ) -> Result<Option<FacePair>, GeomError> {
+        end: usize,
+        innermost: &PartBeside,
+        neighbour: Option<usize>,
+    ) -> bool {
+        let PartBeside::Crowd { widest, .. } = innermost else { return false };
+        let reach = 2.0 * self.distance;
+        let ends = |edge: usize| [self.edges[edge].curve.start(), self.edges[edge].curve.end()];
+        let corner = ends(own)[end];
+        widest.iter().all(|place| {
+            let ends_there = ends(place.other).iter().any(|it| it.distance(corner) <= reach);
+            ends_there && (Some(place.other) == neighbour || self.distance < place.gap)
+        })
+    }
+
+    /// What is beside a part of an edge: of its places the first counts that is not crowded, else the one where most
+    /// room is.
+    fn beside_part(&self, own: usize, part: usize) -> PartBeside {
+        let mut crowds: Vec<Vec<PlaceBeside>> = Vec::new();
+        for within in WITHIN_PART {
+            let place = self.edges[own].place((part as f64 + within) / N_PLACES as f64);
+            let mut there = self.beside_place(own, place);
+            match there.len() {
+                0 => return PartBeside::Nothing(place.0),
+                1 => return PartBeside::One(there.remove(0)),
+                _ => {}
+            }
+            crowds.push(there);
+        }
+        let room = |there: &[PlaceBeside]| there.iter().map(|it| it.gap).fold(0.0, f64::max);
+        let widest = crowds.iter().max_by(|a, b| room(a).total_cmp(&room(b)));
+        PartBeside::Crowd {
+            widest: widest.cloned().unwrap_or_default(),
+            first: crowds.into_iter().next().unwrap_or_default(),
+        }
+    }
+
+    /// The other edges beside a place of an edge, given with its way there.
+    fn beside_place(&self, own: usize, (point, along): (DVec3, DVec3)) -> Vec<PlaceBeside> {
         let (edges, reach) = (self.edges, 2.0 * self.distance);
         let mut there = Vec::new();
-        for i in self.boxes.beside(point, reach).into_iter().filter(|&i| i != own) {
-            let (gap, way) = edges[i].nearest(point, self.distance);
+        for other in self.boxes.beside(point, reach).into_iter().filter(|&i| i != own) {
+            let (gap, way) = edges[other].nearest(point, self.distance);
             if gap <= reach {
-                there.push((i, way));
+                there.push(PlaceBeside { other, gap, way, point, along });
             }
         }
         // Near a corner the edges that end there are as near as the neighbour.
         if 1 < there.len() {
             let runs_beside =
                 |way: DVec3| RUN_BESIDE * norm(way) * norm(along) <= along.dot(way).abs();
-            let n_beside = there.iter().filter(|&&(_, way)| runs_beside(way)).count();
+            let n_beside = there.iter().filter(|place| runs_beside(place.way)).count();
             if n_beside == 1 {
-                there.retain(|&(_, way)| runs_beside(way));
+                there.retain(|place| runs_beside(place.way));
             }
         }
-        match there[..] {
-            [(other, way)] => {
-                let faces = [edges[own].face, edges[other].face];
-                Ok(Some(FacePair { faces, must_turn: 0.0 < along.dot(way) }))
-            }
-            [] => Ok(None),
-            _ => Err(self.crowd(own, there.iter().map(|&(i, _)| i), point)),
-        }
+        there
     }
 
-    /// That several others are at a point of an edge: in one place, or further apart than the tolerance.
-    fn crowd(
-        &self,
-        own: usize,
-        others: impl Iterator<Item = usize> + Clone,
-        point: DVec3,
-    ) -> GeomError {
+    /// That several others are at a place of an edge: in one place, or further apart than the tolerance.
+    fn crowd(&self, own: usize, crowd: &[PlaceBeside]) -> GeomError {
         let (edges, face) = (self.edges, self.edges[own].face);
-        let apart = others.clone().map(|i| (i, edges[i].nearest(point, self.distance).0));
-        match apart.max_by(|a, b| a.1.total_cmp(&b.1)) {
-            Some((other, gap)) if self.distance < gap => {
+        match crowd.iter().max_by(|a, b| a.gap.total_cmp(&b.gap)) {
+            Some(&PlaceBeside { other, gap, point, .. }) if self.distance < gap => {
                 let faces = [face, edges[other].face];
                 FaceError::NearEdges { faces, gap, tolerance: self.distance, point }.into()
             }
             _ => {
-                let others = others.map(|i| edges[i].face).collect();
+                let others = crowd.iter().map(|place| edges[place.other].face).collect();
+                let point = crowd.first().map_or(DVec3::ZERO, |place| place.point);
                 FaceError::CrowdedShell { face, others, point }.into()
             }
         }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{
     Face,
-    border_edge::{FaceBorderEdge, N_PLACES, NeighbourSearch},
+    border_edge::{FaceBorderEdge, NeighbourSearch},
     joined::SurfacePiece,
     measure::{arm, flux},
     shell::hanging_together,
@@ -64,9 +64,8 @@ pub fn pieces_facing_unlike(
     let (mut pairs, mut is_open) = (Vec::new(), vec![false; pieces.len()]);
     let search = NeighbourSearch::new(&edges, distance);
     for (i, edge) in edges.iter().enumerate() {
-        for part in 0..N_PLACES {
-            GeomError::go_on(1)?;
-            match search.neighbour(i, part)? {
+        for pair in search.neighbours(i)? {
+            match pair {
                 Ok(pair) => pairs.push(pair),
                 Err(_) => is_open[edge.face] = true,
             }

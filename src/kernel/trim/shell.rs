@@ -174,12 +174,9 @@ pub(crate) fn rims(
     let mut rims = Vec::new();
     for (i, edge) in edges.iter().enumerate() {
         let (mut n_open, mut first) = (0, None);
-        for part in 0..N_PLACES {
-            GeomError::go_on(1)?;
-            if let Err(point) = search.neighbour(i, part)? {
-                n_open += 1;
-                first.get_or_insert(point);
-            }
+        for point in search.neighbours(i)?.into_iter().filter_map(Result::err) {
+            n_open += 1;
+            first.get_or_insert(point);
         }
         match first {
             None => {}
@@ -204,9 +201,7 @@ fn pairs(edges: &[FaceBorderEdge], distance: f64) -> Result<Vec<FacePair>, GeomE
     let search = NeighbourSearch::new(edges, distance);
     let mut pairs = Vec::with_capacity(N_PLACES * edges.len());
     for i in 0..edges.len() {
-        for part in 0..N_PLACES {
-            GeomError::go_on(1)?;
-            let pair = search.neighbour(i, part)?;
+        for pair in search.neighbours(i)? {
             pairs.push(pair.map_err(|point| search.no_neighbour(i, point))?);
         }
     }

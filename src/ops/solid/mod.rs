@@ -20,6 +20,7 @@ mod skin;
 mod sweep;
 mod vertices;
 mod volume;
+mod walls;
 
 use std::sync::Arc;
 

@@ -3,8 +3,8 @@
 use crate::{
     diag::{Result, Span, Spanned},
     kernel::{Face, Solid},
-    ops::face::SurfaceOrFace,
-    value::{At, Ctx, FromValue, Mismatch, Type, Value, op},
+    ops::{face::SurfaceOrFace, solid::walls::of_walls},
+    value::{Ctx, FromValue, Mismatch, Type, Value, op},
 };
 
 op! {
@@ -65,8 +65,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
     };
     let face = |part: &SurfaceOrFace| Ok((*part.face(span, ctx.tolerance)?).clone());
     let faces: Vec<Face> = parts.iter().map(face).collect::<Result<_>>()?;
-    if args.cap {
-        return Solid::capped(&faces, ctx.tolerance).at(span);
-    }
-    Solid::new(&faces, ctx.tolerance).at(span)
+    let made = match args.cap {
+        true => Solid::capped(&faces, ctx.tolerance),
+        false => Solid::new(&faces, ctx.tolerance),
+    };
+    of_walls(
+        ctx,
+        made,
+        span,
+        "let what the faces are made of cross neither itself nor one another: `regions` of a plane outline are its parts, which `extrude` closes",
+    )
 }

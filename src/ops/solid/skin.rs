@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
     kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, Solid},
+    ops::solid::walls::of_walls,
     ops::surface::{
         section::{SectionPairing, SectionPlaces, SectionShape, SectionTangent},
         skin_options::{SkinOptions, skin_options},
@@ -82,5 +83,11 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
         let side = options.surface(ctx, sections, span)?;
         sides.push(Face::whole(Arc::new(side), ctx.tolerance).at(span)?);
     }
-    Solid::capped(&sides, ctx.tolerance).at(ctx.span)
+    let made = Solid::capped(&sides, ctx.tolerance);
+    of_walls(
+        ctx,
+        made,
+        ctx.span,
+        "holes go through all regions in their order: pair those that lie alike; sections whose walls cross want others between them",
+    )
 }

@@ -7,6 +7,7 @@ use glam::DVec3;
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{Curve, Face, Region, Solid, Tolerance},
+    ops::solid::walls::of_walls,
     ops::surface::{
         motion::{Rails, Scale, Twist},
         sweep_options::{CornerOption, FrameOption, SweepMethod, SweepOptions},
@@ -82,7 +83,13 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
         let side = options.surface(ctx, &Spanned::new(border.into(), span))?;
         sides.push(Face::whole(Arc::new(side), ctx.tolerance).at(span)?);
     }
-    Solid::capped(&sides, ctx.tolerance).at(ctx.span)
+    let made = Solid::capped(&sides, ctx.tolerance);
+    of_walls(
+        ctx,
+        made,
+        ctx.span,
+        "a smaller region, or a path that bends less and keeps away from itself, does not",
+    )
 }
 
 /// # Errors

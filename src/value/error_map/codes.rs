@@ -86,7 +86,9 @@ const fn of_solid(error: &SolidError) -> Code {
         SolidError::PointOnAxis { .. }
         | SolidError::ShellsMeet { .. }
         | SolidError::TouchesPlane { .. }
+        | SolidError::TouchesAlong { .. }
         | SolidError::Pinched { .. }
+        | SolidError::Overlaid { .. }
         | SolidError::CrossesItself { .. } => Code::NotManifold,
         SolidError::Thin { .. }
         | SolidError::UnclearNesting { .. }

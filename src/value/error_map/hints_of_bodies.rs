@@ -73,7 +73,10 @@ pub(super) fn of_solid(error: &SolidError) -> String {
             "move one of them by more than the tolerance; what crosses is no single solid"
         }
         SolidError::CrossesItself { .. } => {
-            "let the outline cross itself nowhere: `regions` of it are its parts, which `extrude` closes"
+            "let what the faces are made of cross neither itself nor one another: `regions` of a plane outline are its parts, which `extrude` closes"
+        }
+        SolidError::Overlaid { .. } => {
+            "let sections follow one another without running back, and paths not run along themselves"
         }
         SolidError::Pinched { .. } => {
             "widen it there by more than the tolerance, or make a solid of each side"
@@ -89,9 +92,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::UnclearSide { .. } => {
             "ask about a point that is further from edges and corners"
         }
-        SolidError::UncertainCut { .. } | SolidError::TouchesPlane { .. } => {
-            "move the plane by more than the tolerance"
-        }
+        SolidError::UncertainCut { .. }
+        | SolidError::TouchesPlane { .. }
+        | SolidError::TouchesAlong { .. } => "move the plane by more than the tolerance",
         SolidError::ThinTip { .. } => {
             "move the plane through that place or clearly away from it, or state a smaller `tolerance` at the top of the script"
         }

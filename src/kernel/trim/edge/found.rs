@@ -9,6 +9,7 @@ use glam::DVec3;
 
 use super::{
     CurveEnd, SurfaceCurve, SurfaceCurveKind, certificate,
+    even::even_parameters,
     lift::{LiftForm, LiftedPiece, lifted, pieces_of},
     piece::{Carrier, CurvePiece},
     place::{FAR, PlaceFinder},
@@ -80,6 +81,9 @@ impl SurfaceCurve {
         surfaces: [&NurbsSurface; 2],
         tolerance: f64,
     ) -> Result<Self, GeomError> {
+        if let Some(found) = Self::evenly(curve, surfaces, tolerance) {
+            return Ok(found);
+        }
         // The nearer its parameters are to it, the nearer it is proven to be.
         let shares = [EDGE_SHARE, 0.5, 1.0];
         let forms = shares.map(|share| (LiftForm::Kept, share * tolerance));
@@ -88,6 +92,24 @@ impl SurfaceCurve {
             found.prove_within(surfaces, tolerance, FAR * tolerance);
         }
         Ok(found)
+    }
+
+    /// One that goes evenly along lines of constant parameter, or is in a plane patch, and is proven to be there.
+    fn evenly(curve: &NurbsCurve, surfaces: [&NurbsSurface; 2], tolerance: f64) -> Option<Self> {
+        let [one, other] = surfaces;
+        let on = [even_parameters(curve, one)?, even_parameters(curve, other)?];
+        let mut found = Self {
+            curve: curve.clone(),
+            on,
+            deviation: f64::INFINITY,
+            radius: None,
+            kind: kind_of(curve, surfaces, tolerance),
+            is_proven: false,
+            between: [CurveEnd::Junction; 2],
+        };
+        found.prove(surfaces, tolerance);
+        found.between = ends_of(&found, surfaces, tolerance);
+        (found.is_proven && found.deviation <= EDGE_SHARE * tolerance).then_some(found)
     }
 
     fn in_a_form(

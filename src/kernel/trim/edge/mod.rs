@@ -1,11 +1,12 @@
 //! The curves along which surfaces are cut: in space, and by the parameters of both surfaces.
 //!
-//! `place` finds the places that both surfaces have across a curve, `lift` makes pieces of the curve and of its
-//! parameters of them, `piece` bounds what these miss, `certificate` proves that the surfaces cross beside them, and
+//! `even` knows parameters that are those of the curve, `place` finds the places that both surfaces have across a
+//! curve, `lift` makes pieces of the curve and of its parameters of them, `piece` bounds what these miss, `certificate` proves that the surfaces cross beside them, and
 //! `found` has all that two surfaces, or a surface and a plane, have in common. `reported` tells of a curve what is
 //! known of it.
 
 mod certificate;
+mod even;
 mod found;
 mod lift;
 mod piece;
