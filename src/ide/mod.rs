@@ -47,6 +47,7 @@ pub use signature::{CalledSignature, SignatureParameter};
 pub use structure::{Fold, Symbol};
 pub use tokens::{SemanticToken, TokenKind};
 pub use values::Values;
+#[cfg(feature = "cli")]
 pub(crate) use values::sized;
 
 use crate::{

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3};
 use proptest::{collection::vec, prelude::Strategy, proptest, sample::select};
 use virote_kernel::{
-    Approximator, CountError, Curve, Ends, Frame, GeomError, Grid, Interpolator, Interval,
+    Along, Approximator, CountError, Curve, Ends, Frame, GeomError, Grid, Interpolator, Interval,
     KnotVector, Lines, Mesh, NurbsCurve, NurbsSurface, Parametrization, Side, Tolerance,
     approximate, approximate_within, columns_within, find_trajectory, grid_mesh, join_patches,
     lagrange, make_compatible, surface_within, tessellate, tessellate_curve,
@@ -246,4 +246,7 @@ fn nothing_makes_nothing() {
     found.nodes.clear();
     assert_eq!(found.at(0.5), [0.0; 0]);
     let _ = NurbsCurve::of_trajectory(&found, usize::MAX);
+    let untold = |_: f64, _: &[f64]| Ok::<_, ()>(Vec::new());
+    assert!(find_trajectory(untold, &[0.0], [0.0, 1.0], 1e-6).is_err());
+    assert!(Along::monotone(&[], true).is_err() && Along::monotone(&[0.0], false).is_err());
 }

@@ -76,7 +76,7 @@ fn values_answer_when_the_report_is_gone() {
 #[test]
 fn whatever_leaves_a_run_owns_what_it_needs() {
     let script = "let k = 3\nfn twice(x) = 2 * k * x\ncurve c = parametric(t => (t, twice(t)), 0..1)\n\
-        let all = [{ curve = c, own = twice, later = x => twice(x) + k, part = twice(_) }]\nprint all\n\
+        let all = [{ curve: c, own: twice, later: x => twice(x) + k, part: twice(_) }]\nprint all\n\
         surface s = parametric((u, v) => (u, v, twice(u)), 0..1, 0..1)\nprint c";
     let report = run(script);
     let value = |name| report.value(name).unwrap_or_else(|| panic!("{:?}", report.diagnostics));

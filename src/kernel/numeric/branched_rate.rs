@@ -95,7 +95,7 @@ impl<E, F: FnMut(f64, &[f64]) -> Result<Vec<f64>, E>> BranchedRate<E> for OneBra
     }
 }
 
-/// A rate that counts how often it is asked.
+/// A rate that counts how often it is asked. Components that it does not tell are no numbers.
 pub(super) struct Counted<'a, R> {
     pub(super) rate: &'a mut R,
     pub(super) n_asked: usize,
@@ -104,20 +104,26 @@ pub(super) struct Counted<'a, R> {
 impl<E, R: BranchedRate<E>> BranchedRate<E> for Counted<'_, R> {
     fn at(&mut self, place: f64, state: &[f64]) -> Result<Vec<f64>, E> {
         self.n_asked += 1;
-        self.rate.at(place, state)
+        self.rate.at(place, state).map(|rate| filled(rate, state.len()))
     }
 
     fn begin(&mut self, place: f64, state: &[f64]) -> Result<Vec<f64>, E> {
         self.n_asked += 1;
-        self.rate.begin(place, state)
+        self.rate.begin(place, state).map(|rate| filled(rate, state.len()))
     }
 
     fn along(&mut self, place: f64, state: &[f64]) -> Result<Vec<f64>, E> {
         self.n_asked += 1;
-        self.rate.along(place, state)
+        self.rate.along(place, state).map(|rate| filled(rate, state.len()))
     }
 
     fn beyond(&mut self, failed: E, end: BranchEnd<'_>, to: f64) -> Result<Vec<f64>, E> {
-        self.rate.beyond(failed, end, to)
+        self.rate.beyond(failed, end, to).map(|state| filled(state, end.state.len()))
     }
+}
+
+/// As many components as there are.
+fn filled(mut components: Vec<f64>, n: usize) -> Vec<f64> {
+    components.resize(n, f64::NAN);
+    components
 }

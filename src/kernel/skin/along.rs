@@ -111,8 +111,12 @@ impl Along {
     /// interpolants*, SIAM J. Sci. Stat. Comput. 5 (1984), with the ends of Fritsch & Carlson (1980).
     ///
     /// # Errors
-    /// Those of [`KnotVector::new`].
+    /// [`CountError::TooFewPoints`] below two parameters, and those of [`KnotVector::new`].
     pub fn monotone(parameters: &[f64], is_closed: bool) -> Result<Self, GeomError> {
+        let got = parameters.len();
+        if got < 2 {
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
+        }
         let (start, end) = (parameters[0], parameters[parameters.len() - 1]);
         let inner = parameters[1..parameters.len() - 1].iter().flat_map(|&t| [t, t]);
         let knots: Vec<f64> = [start; 4].into_iter().chain(inner).chain([end; 4]).collect();
