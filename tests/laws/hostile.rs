@@ -245,7 +245,7 @@ fn nothing_makes_nothing() {
     assert_eq!(found.at(0.5), [0.0]);
     found.nodes.clear();
     assert_eq!(found.at(0.5), [0.0; 0]);
-    let _ = NurbsCurve::of_trajectory(&found, usize::MAX);
+    assert!(NurbsCurve::of_trajectory(&found, usize::MAX).is_err());
     let untold = |_: f64, _: &[f64]| Ok::<_, ()>(Vec::new());
     assert!(find_trajectory(untold, &[0.0], [0.0, 1.0], 1e-6).is_err());
     assert!(Along::monotone(&[], true).is_err() && Along::monotone(&[0.0], false).is_err());

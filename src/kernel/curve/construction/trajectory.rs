@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::hermite::{self, HermiteNode};
-use crate::{GeomError, NurbsCurve, numeric::trajectory_nodes::Trajectory};
+use crate::{CountError, GeomError, NurbsCurve, numeric::trajectory_nodes::Trajectory};
 
 impl NurbsCurve {
     /// The curve over the range of a trajectory along which three components of its state run, from the one
@@ -21,8 +21,12 @@ impl NurbsCurve {
     /// ```
     ///
     /// # Errors
-    /// [`crate::InputError::NotFinite`] where it is too large.
+    /// [`CountError::TooFewPoints`] below two nodes; [`crate::InputError::NotFinite`] where it is too large.
     pub fn of_trajectory(trajectory: &Trajectory, first: usize) -> Result<Self, GeomError> {
+        let got = trajectory.nodes.len();
+        if got < 2 {
+            return Err(CountError::TooFewPoints { got, needed: 2 }.into());
+        }
         let part =
             |parts: &[f64], i: usize| parts.get(first.saturating_add(i)).copied().unwrap_or(0.0);
         let point = |parts: &[f64]| DVec3::from([0, 1, 2].map(|i| part(parts, i)));
