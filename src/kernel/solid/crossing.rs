@@ -9,7 +9,7 @@ use glam::{DMat3, DVec2, DVec3};
 
 use super::{Solid, SolidError, box_around};
 use crate::{
-    Face, GeomError, Mesh, TessellationOptions, Tolerance,
+    Face, GeomError, Interval, Mesh, TessellationOptions, Tolerance,
     ceiling::{CROSSING_STEPS, CROSSING_VERTICES},
     mesh::{CommonWeights, TriangleMeeting, welded},
     numeric::newton::{NewtonStep, within_limits},
@@ -194,7 +194,7 @@ impl<'s> ShellMesh<'s> {
         let domains = surfaces.map(|surface| [surface.domain_u(), surface.domain_v()]);
         let limits = domains.map(|pair| pair.map(|domain| [domain.start(), domain.end()]));
         let [[u, v], [s, t]] = limits;
-        let widths = domains.map(|pair| pair.map(|domain| domain.length()));
+        let widths = domains.map(|pair| pair.map(Interval::length));
         let [a, b] = places.map(|place| place.at);
         let still = |before: [f64; 4], now: [f64; 4]| {
             let widths = widths.as_flattened();

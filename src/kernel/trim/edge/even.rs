@@ -40,12 +40,16 @@ fn along_line(curve: &NurbsCurve, surface: &NurbsSurface) -> Option<NurbsCurve> 
         match corners.last() {
             None => corners.push((pair[0], ends[0])),
             // Over a seam parameters jump.
-            Some((_, known)) if *known != ends[0] => return None,
+            Some((_, known)) if known.map(f64::to_bits) != ends[0].map(f64::to_bits) => {
+                return None;
+            }
             Some(_) => {}
         }
         corners.push((pair[1], ends[1]));
     }
-    let is_line = (0..2).any(|i| corners.iter().all(|corner| corner.1[i] == corners[0].1[i]));
+    let bits = |(_, place): &(f64, [f64; 2]), i: usize| place[i].to_bits();
+    let stays = |i: usize| corners.iter().all(|corner| bits(corner, i) == bits(&corners[0], i));
+    let is_line = (0..2).any(stays);
     if !is_line {
         return None;
     }
