@@ -1,6 +1,9 @@
 //! Where the values of definitions stay while a file runs, and those of a test inside it.
 
-use std::sync::{Arc, OnceLock};
+use std::{
+    fmt,
+    sync::{Arc, OnceLock},
+};
 
 use super::{
     import_fault::ImportFault,
@@ -36,9 +39,16 @@ pub(crate) enum Kept {
 
 /// Keeps the definitions that functions in values use: while it lives, these functions answer, and curves and
 /// surfaces of them.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Default)]
 pub(crate) struct KeptGlobals {
     homes: Vec<Arc<Globals>>,
+}
+
+/// What they hold does not show in the values that they are kept for.
+impl fmt::Debug for KeptGlobals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("KeptGlobals")
+    }
 }
 
 impl KeptGlobals {

@@ -12,7 +12,7 @@ use std::{
 
 use super::{
     env::Env,
-    field::FieldMemory,
+    field_memory::FieldMemory,
     function::ScriptFunction,
     globals::Globals,
     import_fault::ImportFault,

@@ -16,6 +16,7 @@ mod comparisons;
 mod dependencies;
 mod env;
 mod field;
+mod field_memory;
 mod file_run;
 mod function;
 mod globals;

@@ -6,12 +6,14 @@
 //! points, domain [u_p, u_{n+1}], the last span closed on the right.
 
 mod change;
+mod checks;
 mod class;
 mod expansion;
 mod fast;
 mod lookup;
 mod reciprocals;
 
+pub(crate) use checks::check_points;
 pub use class::KnotClass;
 pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
 pub(crate) use fast::acting;
@@ -21,8 +23,7 @@ use reciprocals::Reciprocals;
 use std::{ops::RangeInclusive, sync::Arc};
 
 use super::{
-    CountError, DegreeError, GeomError, Grid, InputError, Interval, KnotError,
-    tolerance::KNOT_RELATIVE,
+    DegreeError, GeomError, Grid, InputError, Interval, KnotError, tolerance::KNOT_RELATIVE,
 };
 
 /// From which side a place is approached, where the two sides can differ.
@@ -113,7 +114,7 @@ impl KnotVector {
     /// The given knots for a number of control points.
     ///
     /// # Errors
-    /// [`DegreeError::BadDegree`] with fewer than p + 1 points, [`CountError::TooManyPoints`],
+    /// [`DegreeError::BadDegree`] with fewer than p + 1 points, `CountError::TooManyPoints`,
     /// [`KnotError::KnotCount`], and those of [`Self::new`].
     pub fn for_points(degree: usize, n_points: usize, knots: Vec<f64>) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
@@ -136,7 +137,7 @@ impl KnotVector {
     /// Evenly spaced knots on `0..end`, the ends p + 1 times.
     ///
     /// # Errors
-    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`CountError::TooManyPoints`],
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], `CountError::TooManyPoints`,
     /// [`KnotError::EmptyDomain`].
     pub fn uniform_clamped(degree: usize, n_points: usize, end: f64) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
@@ -152,7 +153,7 @@ impl KnotVector {
     /// The whole numbers from −p, not clamped: domain `0..(n_points - p)`, one unit a span.
     ///
     /// # Errors
-    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], [`CountError::TooManyPoints`].
+    /// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`], `CountError::TooManyPoints`.
     pub fn uniform(degree: usize, n_points: usize) -> Result<Self, GeomError> {
         check_points(degree, n_points)?;
         let knots = (0..=n_points + degree).map(|i| i as f64 - degree as f64).collect();
@@ -387,30 +388,6 @@ impl KnotVector {
     }
 }
 
-fn check_degree(degree: usize) -> Result<(), GeomError> {
-    let most = crate::ceiling::DEGREE;
-    if degree <= most {
-        Ok(())
-    } else {
-        Err(GeomError::Degree(DegreeError::DegreeTooHigh { degree, most }))
-    }
-}
-
-/// # Errors
-/// [`DegreeError::DegreeTooHigh`], [`DegreeError::BadDegree`] with no more points than the degree,
-/// [`CountError::TooManyPoints`].
-pub(crate) fn check_points(degree: usize, n_points: usize) -> Result<(), GeomError> {
-    check_degree(degree)?;
-    if n_points <= degree {
-        return Err(DegreeError::BadDegree { degree, points: n_points, needed: degree + 1 }.into());
-    }
-    let most = crate::ceiling::CONTROL_POINTS;
-    if most < n_points {
-        return Err(CountError::TooManyPoints { got: n_points, most }.into());
-    }
-    Ok(())
-}
-
 fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
     let mut index = 0;
     for run in knots.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
@@ -421,4 +398,13 @@ fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
         index += run.len();
     }
     Ok(())
+}
+
+fn check_degree(degree: usize) -> Result<(), GeomError> {
+    let most = crate::ceiling::DEGREE;
+    if degree <= most {
+        Ok(())
+    } else {
+        Err(GeomError::Degree(DegreeError::DegreeTooHigh { degree, most }))
+    }
 }
