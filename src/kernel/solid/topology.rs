@@ -216,6 +216,9 @@ fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutA
         let (domain, [from, to]) = (curve.domain(), [numbers[2 * i], numbers[2 * i + 1]]);
         let least = PARAMETER_RELATIVE * domain.length();
         let Bounds { min, max } = curve.bounds();
+        // Beside a knot a piece would begin or end with a span of rounding width.
+        let breaks = curve.knots().breaks();
+        let on_knot = |t: f64| breaks.iter().copied().find(|knot| (knot - t).abs() <= least);
         let mut stops = vec![(domain.start(), from), (domain.end(), to)];
         for (vertex, &point) in vertices.iter().enumerate() {
             let is_near = (min - reach).cmple(point).all() && point.cmple(max + reach).all();
@@ -226,7 +229,7 @@ fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutA
             let is_inside =
                 domain.start() + least < foot.parameter && foot.parameter < domain.end() - least;
             if foot.distance <= reach && is_inside {
-                stops.push((foot.parameter, vertex));
+                stops.push((on_knot(foot.parameter).unwrap_or(foot.parameter), vertex));
             }
         }
         sort_by(&mut stops, |a, b| a.0.total_cmp(&b.0));

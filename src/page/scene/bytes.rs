@@ -1,5 +1,7 @@
 //! The bytes of an item: a header of JSON, then numbers, little-endian, at the places that it names.
 
+use std::hash::{DefaultHasher, Hasher};
+
 use glam::DVec3;
 use serde_json::{Map, Value as Json, json};
 
@@ -124,20 +126,12 @@ pub(super) fn numbers_of(bytes: &[u8], name: &str, size: usize) -> Option<Vec<f6
     numbers.map(number).collect()
 }
 
-/// A number that stands for these bytes: others have another one, but for a chance of 2⁻¹²⁸.
-///
-/// Sixteen bytes at a time; each step is one to one, so that bytes that differ in one step alone never agree.
+/// A number that stands for these bytes: others have another one, of the same length but for a chance of 2⁻⁶⁴.
 pub(super) fn digest(bytes: &[u8]) -> u128 {
-    let step = |digest: u128, word: u128| (digest ^ word).wrapping_mul(GOLDEN).rotate_left(61);
-    let (words, rest) = bytes.as_chunks();
-    let mut last = [0; 16];
-    last[..rest.len()].copy_from_slice(rest);
-    let words = words.iter().chain([&last]).map(|word| u128::from_le_bytes(*word));
-    words.fold(bytes.len() as u128, step).wrapping_mul(GOLDEN)
+    let mut hasher = DefaultHasher::new();
+    hasher.write(bytes);
+    (bytes.len() as u128) << u64::BITS | u128::from(hasher.finish())
 }
-
-/// The golden ratio's fraction in 128 bits, and odd: its multiples spread evenly.
-const GOLDEN: u128 = 0x9e37_79b9_7f4a_7c15_f39c_c060_5ced_c835;
 
 fn single(number: f64) -> [u8; 4] {
     (number as f32).to_le_bytes()
