@@ -45,7 +45,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &Value) -> PyResult<Bound<'p
         Value::Range(range) => {
             range_class(py)?.call1((range.start.value, range.end.value, range.closed))?
         }
-        Value::List(items) => list(py, held, items)?,
+        Value::List(items) => list(py, items)?,
         Value::Record(record) => {
             let members = PyDict::new(py);
             for (name, member) in record.iter() {
@@ -80,7 +80,7 @@ pub(crate) fn to_python<'py>(py: Python<'py>, held: &Value) -> PyResult<Bound<'p
 }
 
 /// Numbers and points as arrays, all else as a list.
-fn list<'py>(py: Python<'py>, held: &Value, items: &List) -> PyResult<Bound<'py, PyAny>> {
+fn list<'py>(py: Python<'py>, items: &List) -> PyResult<Bound<'py, PyAny>> {
     let numbers: Option<Vec<f64>> = items
         .values()
         .map(|item| match item {

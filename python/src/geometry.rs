@@ -70,7 +70,7 @@ pub(crate) fn spline(
         }
     };
     let value = made.map_err(|err| geom_error(py, err))?;
-    Ok(Held { value: Value::from(value) })
+    Ok(Held { value })
 }
 
 /// Points as an array of three columns.

@@ -114,7 +114,7 @@ fn is_there(path: &str, files: &[PathBuf]) -> bool {
         Path::new(&format!("{root}{path}")).exists()
             || Path::new(&format!("{root}{path}.rs")).exists()
     };
-    ROOTS.iter().any(|root| known(root)) || files.iter().any(|file| file.ends_with(path))
+    ROOTS.iter().any(known) || files.iter().any(|file| file.ends_with(path))
 }
 
 /// The names of a path such as `Type::function()`; none of a text that is no such path, or one plain word, which may be
