@@ -303,7 +303,7 @@ run("an exported page shows the model without a server", async () => {
 
 const PARTS = `unit mm
 region plate = region(polyline((0, 0), (40, 0), (40, 25), (0, 25), closed = true), holes = [circle((20, 12, 0), 4)])
-solids two = [box((0, 40, 0), (10, 10, 10)), box((20, 40, 0), (10, 10, 20))]
+solids two = [solid(box((0, 40, 0), (10, 10, 10))), solid(box((20, 40, 0), (10, 10, 20)))]
 points cloud = [(0, -20, 0), (10, -20, 3)]
 `;
 
@@ -312,9 +312,11 @@ run("a solid and a region are one row each, and a face tells of its solid", asyn
   const shown = await openPage(parts.url);
   const selection = () => shown.$eval('[data-section="facts"]', (element) => element.innerText);
   try {
+    await shown.waitForSelector('[data-path="two"] .fold');
     await shown.click('[data-path="two"] .fold');
     await shown.click('[data-path="two[1]"] .fold');
     await shown.click('[data-path="two[1].faces[0]"]');
+    await shown.waitForSelector('.owner [data-ask="volume"]');
     await shown.click('.owner [data-ask="volume"]');
     await until(shown, () => /2000 mm³/.test(document.querySelector('[data-section="facts"]').innerText));
     assert.match(await selection(), /face two\[1\]\.faces\[0\]/);
