@@ -98,7 +98,7 @@ impl Limits {
     pub const WEB: Self = Self {
         nesting: 128,
         chain: 250,
-        call_depth: 100,
+        call_depth: 64,
         evaluation_depth: 400,
         value_depth: 200,
         stack_bytes: 64 << 20,
