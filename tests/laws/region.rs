@@ -221,6 +221,103 @@ fn offsets_of_a_square_have_the_areas_of_their_corners() {
     }
 }
 
+/// Whether a point lies inside of a polygon, by the crossings of a ray.
+fn is_inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let crosses = |&(&(x0, y0), &(x1, y1)): &(&(f64, f64), &(f64, f64))| {
+        (y < y0) != (y < y1) && x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+    };
+    sides.filter(crosses).count() % 2 == 1
+}
+
+/// What an offset of a polygon covers beside it: strips along its sides and wedges at the corners that are torn
+/// open, a corner beyond ten times the distance cut off across.
+fn strips_and_wedges(corners: &[(f64, f64)], d: f64, style: CornerStyle) -> Vec<Vec<(f64, f64)>> {
+    let n = corners.len();
+    let along = |i: usize| {
+        let ((x0, y0), (x1, y1)) = (corners[i % n], corners[(i + 1) % n]);
+        let length = (x1 - x0).hypot(y1 - y0);
+        ((x1 - x0) / length, (y1 - y0) / length)
+    };
+    let mut covered = Vec::new();
+    for i in 0..n {
+        let (a, b) = (along(i), along(i + 1));
+        let (start, corner) = (corners[i], corners[(i + 1) % n]);
+        let beside = |(x, y): (f64, f64), (ax, ay): (f64, f64)| (x + ay * d, y - ax * d);
+        covered.push(vec![start, corner, beside(corner, a), beside(start, a)]);
+        if (a.0 * b.1 - a.1 * b.0) * d < 0.0 {
+            continue;
+        }
+        let (from, to) = (beside(corner, a), beside(corner, b));
+        let half = 0.5 * (a.0 * b.0 + a.1 * b.1).clamp(-1.0, 1.0).acos();
+        let on = d.abs() * half.tan().min((10.0 - half.cos()) / half.sin());
+        covered.push(match style {
+            CornerStyle::Miter => {
+                let tips =
+                    [(from.0 + a.0 * on, from.1 + a.1 * on), (to.0 - b.0 * on, to.1 - b.1 * on)];
+                vec![corner, from, tips[0], tips[1], to]
+            }
+            _ => vec![corner, from, to],
+        });
+    }
+    covered
+}
+
+#[test]
+fn offsets_of_polygons_are_made_of_strips_and_wedges() {
+    let mut state = 1_u64;
+    let mut random = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut stars: Vec<Vec<(f64, f64)>> = vec![
+        vec![(0.0, -0.9), (1.7, -0.9), (1.0, -0.5), (1.2, -0.2)],
+        vec![(1.6, 0.2), (0.7, 0.1), (1.2, 1.0), (-1.5, -1.2)],
+        vec![(0.0, 0.0), (20.0, -0.5), (20.0, 0.5)],
+        vec![(0.0, -0.9), (1.1, -0.6), (1.7, -0.9), (1.0, -0.5), (1.7, -0.5), (1.2, -0.2)],
+        vec![(0.0, -0.9), (1.5, -1.2), (1.1, -0.6), (1.7, -0.9), (1.2, -0.2)],
+        vec![(-0.04, -0.93), (1.68, -0.9), (0.97, -0.49), (1.7, -0.53), (1.2, -0.21)],
+    ];
+    for _ in 0..40 {
+        let n = 5 + (random() * 8.0) as usize;
+        let star = (0..n).map(|i| {
+            let (angle, radius) =
+                (TAU * (i as f64 + 0.8 * random()) / n as f64, 0.3 + 1.7 * random());
+            (radius * libm::cos(angle), radius * libm::sin(angle))
+        });
+        stars.push(star.collect());
+    }
+    for star in &stars {
+        for d in [0.1, 0.5, -0.1, -0.3] {
+            for style in [CornerStyle::Miter, CornerStyle::Bevel] {
+                let parts = region(&polygon(star)).offset(d, style, TOLERANCE);
+                let parts =
+                    parts.unwrap_or_else(|error| panic!("{star:?} by {d}, {style:?}: {error}"));
+                let covered = strips_and_wedges(star, d, style);
+                for _ in 0..60 {
+                    let place = (3.0 - 6.0 * random(), 3.0 - 6.0 * random());
+                    let is_beside = covered.iter().any(|part| is_inside(part, place));
+                    let is_in = match 0.0 < d {
+                        true => is_inside(star, place) || is_beside,
+                        false => is_inside(star, place) && !is_beside,
+                    };
+                    let point = DVec3::new(place.0, place.1, 0.0);
+                    let sides = parts.iter().map(|part| part.side_of(point, 1e-6));
+                    let found = sides.fold(RegionSide::Outside, |found, side| match side {
+                        RegionSide::Outside => found,
+                        side => side,
+                    });
+                    assert!(
+                        found == RegionSide::Border || (found == RegionSide::Inside) == is_in,
+                        "{star:?} by {d}, {style:?}: {place:?}"
+                    );
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn offsets_fall_apart_close_and_vanish() {
     // A dumbbell of two squares and a narrow bar.

@@ -1,8 +1,9 @@
 //! Regions grown and shrunk by a distance.
 //!
-//! The new border lies among the offsets of the arcs and what rounds the corners between them. These are cut
-//! where they meet; a part belongs to the border where it is nowhere nearer to the old one than the
-//! distance, which is the definition, and decides folds, cusps and what falls apart alike.
+//! The new border lies among the offsets of the arcs and what goes about the corners between them. These are cut
+//! where they meet; a part belongs to the border where nothing covers it: it is nowhere nearer to the old border
+//! than the distance, which is the definition, and decides folds, cusps and what falls apart alike. A corner that
+//! is not rounded covers its wedge, and nothing beyond.
 
 use std::f64::consts::TAU;
 
@@ -14,8 +15,8 @@ use super::{
     corner::corner_turn,
 };
 use crate::{
-    ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side, Tolerance,
-    arrange::{self, Apart, Arrangement, Ring},
+    Bounds, ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side, Tolerance,
+    arrange::{self, Apart, Arrangement, Ring, winding_about},
     frame::{norm, unit},
 };
 
@@ -45,25 +46,95 @@ const LOOKS: [f64; 3] = [0.5, 0.25, 0.75];
 pub enum CornerStyle {
     /// Arcs about them: all within the distance, and nothing else.
     Round,
-    /// Both sides go on straight until they meet, no further than ten times the distance; beyond, as
-    /// [`Self::Bevel`].
+    /// Both sides go on straight until they meet; no further than ten times the distance, where a straight side
+    /// across cuts them off.
     Miter,
     /// A straight side cuts them off.
     Bevel,
 }
 
-/// Arcs of which the new border consists in part, and how near to the old one they may come.
+/// What the new border consists of in part, and what it keeps away from at corners that are not rounded.
 #[derive(Default)]
 struct Front {
     arcs: Vec<NurbsCurve>,
-    /// The corner about which a straight arc runs, that may be nearer than the distance.
-    corners: Vec<Option<DVec3>>,
+    wedges: Vec<Wedge>,
+    /// Corners, torn open or hollow, beyond which nothing is covered by the sides that end there.
+    corners: Vec<DVec3>,
 }
 
 impl Front {
-    fn push(&mut self, arc: NurbsCurve, corner: Option<DVec3>) {
-        self.arcs.push(arc);
-        self.corners.push(corner);
+    /// Adds straight sides from point to point.
+    fn push_lines(&mut self, points: &[DVec3]) -> Result<(), GeomError> {
+        for ends in points.windows(2) {
+            self.arcs.push(NurbsCurve::line(ends[0], ends[1])?);
+        }
+        Ok(())
+    }
+}
+
+/// What a corner covers that is not rounded.
+struct Wedge {
+    /// It and the corners of the new border about it, counter-clockwise.
+    outline: Vec<DVec3>,
+}
+
+impl Wedge {
+    /// Between a corner and a chain of points about it, which turns as the distance has it.
+    fn new(corner: DVec3, chain: &[DVec3], distance: f64) -> Self {
+        let mut outline = vec![corner];
+        outline.extend(chain);
+        if distance < 0.0 {
+            outline.reverse();
+        }
+        Self { outline }
+    }
+
+    /// Whether a point lies inside, farther than so much from its sides.
+    fn covers(&self, point: DVec3, depth: f64) -> bool {
+        let ends = self.outline.iter().zip(self.outline.iter().cycle().skip(1));
+        ends.into_iter().all(|(&from, &to)| {
+            unit(to - from).is_some_and(|along| depth < along.cross(point - from).z)
+        })
+    }
+}
+
+/// What the new border keeps away from.
+struct OldBorder<'r> {
+    arcs: Vec<(&'r NurbsCurve, Bounds)>,
+    loops: &'r [PlaneLoop],
+    wedges: &'r [Wedge],
+    corners: &'r [DVec3],
+    distance: f64,
+    /// How near places are one.
+    near: f64,
+}
+
+impl OldBorder<'_> {
+    /// Whether a point lies where the region grows to, or where it shrinks from.
+    fn covers(&self, point: DVec3) -> bool {
+        let least = self.distance.abs() - SLACK * self.near;
+        let is_near = self.arcs.iter().any(|(arc, bounds)| {
+            let off = (bounds.min - point).max(point - bounds.max).max(DVec3::ZERO);
+            norm(off) < least && {
+                let foot = arc.closest(point, self.near);
+                foot.distance < least && !self.is_corner(foot.point)
+            }
+        });
+        is_near
+            || !self.corners.is_empty()
+                && (self.wedges.iter().any(|wedge| wedge.covers(point, SLACK * self.near))
+                    || self.is_behind(point))
+    }
+
+    /// Whether a place of the old border is a corner that is not rounded.
+    fn is_corner(&self, foot: DVec3) -> bool {
+        self.corners.iter().any(|&corner| norm(corner - foot) <= self.near)
+    }
+
+    /// Whether a point lies on the side of the old border from which it moves.
+    fn is_behind(&self, point: DVec3) -> bool {
+        let chains = self.loops.iter().map(|border| &border.arcs[..]);
+        winding_about(chains, point).is_some_and(|winding| (winding != 0) == (0.0 < self.distance))
     }
 }
 
@@ -92,17 +163,19 @@ impl Region {
         for border in &self.loops {
             add_front(border, distance, corners, tolerance, &mut front)?;
         }
-        let Front { arcs, corners } = front;
+        let Front { arcs, wedges, corners } = front;
         let rings = [Ring { group: 0, arcs }];
         let arrangement =
             Arrangement::of(&rings, Apart::Nothing, near, 1).map_err(in_space(self.frame))?;
-        let boxes: Vec<_> = self.loops.iter().flat_map(|border| &border.arcs).collect();
-        let boxes: Vec<_> = boxes.into_iter().map(|arc| (arc, arc.bounds())).collect();
-        let is_near = |point: DVec3, least: f64| {
-            boxes.iter().any(|(arc, bounds)| {
-                let off = (bounds.min - point).max(point - bounds.max).max(DVec3::ZERO);
-                norm(off) < least && arc.closest(point, near).distance < least
-            })
+        let arcs = self.loops.iter().flat_map(|border| &border.arcs);
+        let arcs = arcs.map(|arc| (arc, arc.bounds())).collect();
+        let old = OldBorder {
+            arcs,
+            loops: &self.loops,
+            wedges: &wedges,
+            corners: &corners,
+            distance,
+            near,
         };
         // At hollow corners the offsets of both sides go on behind their crossing, and end there.
         let mut n_ends = vec![0_usize; arrangement.vertices.len()];
@@ -112,9 +185,7 @@ impl Region {
             let is_border = !is_loose
                 && LOOKS.into_iter().all(|fraction| {
                     let point = edge.curve.point_at(edge.curve.domain().at(fraction));
-                    let own =
-                        corners[edge.arc].map_or(distance.abs(), |corner| norm(point - corner));
-                    !is_near(point, own.min(distance.abs()) - SLACK * near)
+                    !old.covers(point)
                 });
             let runs_along = edge.passes.iter().all(|&(_, passes)| 0 < passes);
             let side = if runs_along { arrange::EdgeSide::Left } else { arrange::EdgeSide::Right };
@@ -140,9 +211,7 @@ fn add_front(
             match piece.offset(distance, DVec3::Z, tolerance) {
                 Ok(offset) => {
                     let branches = offset.curve.parts_at(&offset.cusps)?.into_iter();
-                    branches.filter(|branch| !runs_back(branch, &piece)).for_each(|branch| {
-                        front.push(branch, None);
-                    });
+                    front.arcs.extend(branches.filter(|branch| !runs_back(branch, &piece)));
                 }
                 // All of it comes to one point.
                 Err(GeomError::Construction(ConstructionError::VanishingOffset { .. })) => {}
@@ -152,33 +221,56 @@ fn add_front(
         let next = &border.arcs[(i + 1) % n];
         let corner = next.start();
         let angle = corner_turn(arc, next, tolerance)?;
-        if angle.abs() <= tolerance.angle || angle * distance < 0.0 {
+        let is_hollow = angle * distance < 0.0;
+        // What goes on behind the crossing at a corner all but straight is not known to be covered.
+        let is_sharp = 2.0 * SLACK * tolerance.distance < distance.abs() * (1.0 - libm::cos(angle));
+        let is_open = match corners {
+            CornerStyle::Round => !is_hollow,
+            CornerStyle::Miter | CornerStyle::Bevel => !is_hollow || is_sharp,
+        };
+        if angle.abs() <= tolerance.angle || !is_open {
             continue;
         }
         let ends = [
             arc.tangent_at(arc.domain().end(), Side::Left)?,
             next.tangent_at(next.domain().start(), Side::Right)?,
         ];
-        let sides = ends.map(|tangent| tangent.cross(DVec3::Z) * distance);
-        let [from, to] = sides.map(|side| corner + side);
+        let [from, to] = ends.map(|tangent| corner + tangent.cross(DVec3::Z) * distance);
         if norm(to - from) <= tolerance.distance {
             continue;
         }
-        let middle = unit(sides[0] + sides[1]);
-        let reach = 1.0 / libm::cos(0.5 * angle);
-        match (corners, middle) {
-            (CornerStyle::Miter, Some(middle)) if reach <= LONGEST_MITRE => {
-                let tip = corner + middle * (distance.abs() * reach);
-                front.push(NurbsCurve::line(from, tip)?, None);
-                front.push(NurbsCurve::line(tip, to)?, None);
-            }
-            (CornerStyle::Miter | CornerStyle::Bevel, _) => {
-                front.push(NurbsCurve::line(from, to)?, Some(corner));
-            }
-            (CornerStyle::Round, _) => front.push(arc_about(corner, from, to, distance)?, None),
+        if corners == CornerStyle::Round {
+            front.arcs.push(arc_about(corner, from, to, distance)?);
+            continue;
         }
+        front.corners.push(corner);
+        if is_hollow {
+            // Where what is beside a side ends, should a cut corner nearby leave that open.
+            front.push_lines(&[from, corner, to])?;
+            continue;
+        }
+        let mut chain = vec![from, to];
+        if corners == CornerStyle::Miter {
+            chain.splice(1..1, mitre([from, to], ends, angle, distance));
+        }
+        front.push_lines(&chain)?;
+        front.wedges.push(Wedge::new(corner, &chain, distance));
     }
     Ok(())
+}
+
+/// Where both sides of a corner go to from the ends of their offsets: the place where they meet, or those at which
+/// what cuts them off does.
+fn mitre([from, to]: [DVec3; 2], tangents: [DVec3; 2], angle: f64, distance: f64) -> Vec<DVec3> {
+    let (sine, cosine) = (libm::sin(0.5 * angle).abs(), libm::cos(0.5 * angle));
+    let is_whole = 1.0 <= LONGEST_MITRE * cosine;
+    let onward = distance.abs()
+        * match is_whole {
+            true => sine / cosine,
+            false => (LONGEST_MITRE - cosine) / sine,
+        };
+    let tips = vec![from + tangents[0] * onward, to - tangents[1] * onward];
+    if is_whole { vec![0.5 * (tips[0] + tips[1])] } else { tips }
 }
 
 /// An arc in the parts that its joints leave, so that lines and circular arcs among them are such.
