@@ -4,13 +4,12 @@
 //! turns text into a tree; [`value`] is what scripts compute with and how an operation is
 //! declared, [`export`] how geometry becomes files; [`ops`] holds the operations, [`eval`] runs
 //! the tree; [`session`] puts it all together, [`docs`] tells of it, [`ide`] answers editors `page` a page that shows a
-//! script, [`render`] draws diagnostics; and the doors ([`cli`], [`disk`], [`lsp`], [`playground`], [`study`], [`view`])
+//! script, [`render`] draws diagnostics; and the doors (`cli`, [`disk`], [`lsp`], [`playground`], [`study`], [`view`])
 //! talk to the world.
 //! `ARCHITECTURE.md` has the map.
 
 #[cfg(feature = "cli")]
-#[doc(hidden)]
-pub mod cli;
+mod cli;
 pub mod diag;
 #[cfg(feature = "cli")]
 #[doc(hidden)]
@@ -37,4 +36,7 @@ pub mod value;
 #[doc(hidden)]
 pub mod view;
 
+#[cfg(feature = "cli")]
+#[doc(hidden)]
+pub use cli::{main as command, main_with as command_with, schema_json};
 pub use virote_kernel as kernel;

@@ -9,5 +9,5 @@ use cap::Cap;
 static MEMORY: Cap<System> = Cap::new(System, usize::MAX);
 
 fn main() -> ExitCode {
-    virote::cli::main(|| MEMORY.allocated())
+    virote::command(|| MEMORY.allocated())
 }

@@ -34,7 +34,7 @@ fn held() -> usize {
 /// Runs the command with these arguments, the name first; its exit code.
 #[pyfunction]
 fn command(py: Python<'_>, args: Vec<OsString>) -> u8 {
-    py.detach(|| virote::cli::main_with(args, held))
+    py.detach(|| virote::command_with(args, held))
 }
 
 /// What the classes of the package stand on.

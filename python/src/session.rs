@@ -174,7 +174,7 @@ impl Session {
             engine.under(&stop).parameters(name, text, &files)
         })?;
         match found {
-            Ok(schema) => Ok(virote::cli::schema_json(name, &schema).to_string()),
+            Ok(schema) => Ok(virote::schema_json(name, &schema).to_string()),
             Err(report) => Err(first_error(py, &report)),
         }
     }

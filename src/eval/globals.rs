@@ -16,7 +16,7 @@ use crate::value::Value;
 #[derive(Debug, Default)]
 pub(crate) struct Globals {
     /// Empty where not evaluated yet.
-    values: Vec<OnceLock<Kept>>,
+    values: Vec<OnceLock<DefinitionState>>,
     /// The identities of the values, where they are remembered.
     marks: Vec<OnceLock<ResultId>>,
     /// The number of the first of them; those before it belong to the file around a test.
@@ -28,7 +28,7 @@ pub(crate) struct Globals {
 
 /// What a definition came to.
 #[derive(Debug)]
-pub(crate) enum Kept {
+pub(crate) enum DefinitionState {
     /// Nothing: it failed.
     Failed,
     /// A value.
@@ -97,32 +97,32 @@ impl Globals {
     /// The value of a definition.
     pub(crate) fn value(&self, idx: usize) -> Option<&Value> {
         match self.kept(idx)? {
-            Kept::Whole(value) => Some(value),
-            Kept::Part(..) | Kept::Failed => None,
+            DefinitionState::Whole(value) => Some(value),
+            DefinitionState::Part(..) | DefinitionState::Failed => None,
         }
     }
 
     /// The value of a definition, or what is known of it; whoever uses it has asked whether that is enough.
     pub(crate) fn known(&self, idx: usize) -> Option<&Value> {
         match self.kept(idx)? {
-            Kept::Whole(value) | Kept::Part(value, _) => Some(value),
-            Kept::Failed => None,
+            DefinitionState::Whole(value) | DefinitionState::Part(value, _) => Some(value),
+            DefinitionState::Failed => None,
         }
     }
 
     /// Whether what is used of a definition has a value.
     pub(super) fn has(&self, used: &Dependency) -> bool {
         match (self.kept(used.definition), &used.fields) {
-            (Some(Kept::Whole(_)), _) => true,
+            (Some(DefinitionState::Whole(_)), _) => true,
             // What it never had is a mistake of whoever asks.
-            (Some(Kept::Part(Value::Record(record), fault)), Some(fields)) => {
+            (Some(DefinitionState::Part(Value::Record(record), fault)), Some(fields)) => {
                 fields.iter().all(|name| record.get(name).is_some() || !fault.has_lost(name))
             }
             _ => false,
         }
     }
 
-    fn kept(&self, idx: usize) -> Option<&Kept> {
+    fn kept(&self, idx: usize) -> Option<&DefinitionState> {
         match idx.checked_sub(self.first) {
             Some(own) => self.values.get(own)?.get(),
             None => self.around.as_ref()?.kept(idx),
@@ -139,14 +139,14 @@ impl Globals {
 
     /// Keeps what a definition of its own came to; each belongs to one component, so that it is
     /// kept once.
-    pub(crate) fn keep(&self, idx: usize, value: Kept) {
+    pub(crate) fn keep(&self, idx: usize, value: DefinitionState) {
         if let Some(place) = idx.checked_sub(self.first).and_then(|own| self.values.get(own)) {
             let _ = place.set(value);
         }
     }
 
     /// The same with the value's identity.
-    pub(super) fn keep_marked(&self, idx: usize, value: Kept, mark: Option<ResultId>) {
+    pub(super) fn keep_marked(&self, idx: usize, value: DefinitionState, mark: Option<ResultId>) {
         let place = idx.checked_sub(self.first).and_then(|own| self.marks.get(own));
         if let (Some(place), Some(mark)) = (place, mark) {
             let _ = place.set(mark);

@@ -6,7 +6,7 @@ use super::{
     env::Env,
     globals::{Globals, KeptGlobals},
     machine::Machine,
-    ownership::{Owner, add_owned},
+    ownership::{OwningCopies, add_owned},
     settings::Settings,
 };
 use crate::{
@@ -44,6 +44,6 @@ pub(crate) fn invoke(
     let given = call.positional.iter().chain(named).map(|given| &given.value);
     given.chain([callee]).for_each(|value| add_owned(value, &mut kept));
     let answer = fault::caught(span, || machine.invoke(callee, call, span));
-    let answer = answer.map(|value| Owner::new(&kept).owning(&value.looked_at()));
+    let answer = answer.map(|value| OwningCopies::new(&kept).owning(&value.looked_at()));
     (answer, machine.warnings)
 }

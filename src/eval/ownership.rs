@@ -3,7 +3,7 @@
 //! While a file runs, its values hold each other: a definition stays in the [`Globals`](super::globals::Globals) of
 //! its file, and a function of the script reads from them whatever it uses. If functions owned them, nothing would
 //! ever be freed, so that within a file they only know where its definitions lie. What leaves the run owns them:
-//! [`Owner`] makes the same value with functions, curves and surfaces that keep the definitions alive. No definition
+//! [`OwningCopies`] makes the same value with functions, curves and surfaces that keep the definitions alive. No definition
 //! holds such a value, so that there is no circle, and evaluation knows nothing of it.
 
 use std::{any::Any, collections::HashMap, sync::Arc};
@@ -19,14 +19,14 @@ use crate::{
 };
 
 /// Makes values that own the definitions of a run. What two of them share they share afterwards.
-pub(super) struct Owner<'a> {
+pub(super) struct OwningCopies<'a> {
     globals: &'a KeptGlobals,
     kept: Arc<dyn Any + Send + Sync>,
     /// What was made of values by where these lie, which nobody frees as long as this lives.
     made: HashMap<*const (), (Value, Value)>,
 }
 
-impl<'a> Owner<'a> {
+impl<'a> OwningCopies<'a> {
     /// Of these definitions.
     pub(super) fn new(globals: &'a KeptGlobals) -> Self {
         Self { globals, kept: Arc::new(globals.clone()), made: HashMap::new() }

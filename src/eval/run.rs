@@ -17,7 +17,7 @@ use super::{
     outcome::{
         Checked, Defined, EffectOutput, ExportSubject, Exported, Outcome, Printed, in_order,
     },
-    ownership::Owner,
+    ownership::OwningCopies,
     param::GivenValue,
     schedule,
     settings::{Purpose, Setting, Settings},
@@ -54,7 +54,7 @@ pub fn evaluate(name: &str, text: &str, sources: &mut Sources, settings: Setting
     in_order(&mut diagnostics);
     kept.extend(library.homes());
     let kept = KeptGlobals::new(kept);
-    Owner::new(&kept).own(&mut definitions, &mut outputs, &mut tests);
+    OwningCopies::new(&kept).own(&mut definitions, &mut outputs, &mut tests);
     Outcome {
         definitions,
         outputs,

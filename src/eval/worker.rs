@@ -8,7 +8,7 @@ use std::{
 use super::{
     cache_key::{CacheKey, KeySort},
     env::ImportedFiles,
-    globals::{Globals, Kept},
+    globals::{DefinitionState, Globals},
     ir::{Definition, DefinitionRole, ExprKind, Program},
     machine::{FileReads, Machine},
     memory::{CacheRun, CachedResult, FileRead, ResultId, Work},
@@ -77,7 +77,9 @@ impl<'a> Worker<'a> {
         });
         match self.memory {
             _ if !is_ready => {
-                members.iter().for_each(|&idx| self.machine.home.keep(idx, Kept::Failed));
+                members
+                    .iter()
+                    .for_each(|&idx| self.machine.home.keep(idx, DefinitionState::Failed));
             }
             None => {
                 for &idx in members {
@@ -108,14 +110,18 @@ impl<'a> Worker<'a> {
     }
 
     /// What a definition came to, whose value is this; of an import what is wrong in its file is wrong here.
-    fn kept(&mut self, value: Option<Value>) -> Kept {
+    fn kept(&mut self, value: Option<Value>) -> DefinitionState {
         let fault = self.machine.import_fault.take();
         match (value, fault) {
-            (None, _) => Kept::Failed,
-            (Some(value), None) => Kept::Whole(value),
+            (None, _) => DefinitionState::Failed,
+            (Some(value), None) => DefinitionState::Whole(value),
             (Some(value), Some(fault)) => {
                 self.diagnostics.push(fault.first.as_ref().clone());
-                if fault.is_whole { Kept::Failed } else { Kept::Part(value, fault) }
+                if fault.is_whole {
+                    DefinitionState::Failed
+                } else {
+                    DefinitionState::Part(value, fault)
+                }
             }
         }
     }

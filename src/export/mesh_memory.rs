@@ -36,10 +36,10 @@ type MeshKey = (Vec<GeometryKey>, [u64; 3]);
 /// The meshes that the files of a run had, for its other files and for those of the next run. Clones are one
 /// memory. No byte of a file depends on it.
 #[derive(Clone, Debug, Default)]
-pub struct MeshMemory(Arc<Mutex<MemoryState>>);
+pub struct MeshMemory(Arc<Mutex<MeshMemoryState>>);
 
 #[derive(Debug, Default)]
-struct MemoryState {
+struct MeshMemoryState {
     known: BTreeMap<MeshKey, KnownMeshes>,
     n_recalled: u64,
 }
@@ -144,7 +144,7 @@ impl MeshMemory {
     fn keep(&self, key: MeshKey, made: KnownMeshes) {
         let mut state = self.lock();
         let n_new = made.n_vertices();
-        let fits = |state: &MemoryState| {
+        let fits = |state: &MeshMemoryState| {
             let n_known: usize = state.known.values().map(KnownMeshes::n_vertices).sum();
             n_known + n_new <= MOST_VERTICES
         };
@@ -156,7 +156,7 @@ impl MeshMemory {
         }
     }
 
-    fn lock(&self) -> MutexGuard<'_, MemoryState> {
+    fn lock(&self) -> MutexGuard<'_, MeshMemoryState> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

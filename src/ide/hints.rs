@@ -76,7 +76,7 @@ pub enum LensKind {
 
 /// A line above a statement.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Lens {
+pub struct CodeLens {
     /// The statement.
     pub range: Range<usize>,
     /// What it offers.
@@ -183,7 +183,7 @@ impl Document {
     /// The lines above statements: of tests, of claims where `values` are of this text, of geometry. Claims of a test
     /// have theirs when it was run.
     #[must_use]
-    pub fn lenses(&self, values: Option<&Values>) -> Vec<Lens> {
+    pub fn lenses(&self, values: Option<&Values>) -> Vec<CodeLens> {
         let mut found = Vec::new();
         for act in &self.outline.acts {
             let range = act.whole.clone();
@@ -195,7 +195,7 @@ impl Document {
                         name: name.trim_matches('"').to_owned(),
                         verdict: tested.map(|test| test.verdict),
                     };
-                    found.push(Lens { range, kind });
+                    found.push(CodeLens { range, kind });
                 }
                 ActKind::Check => {
                     let Some(checked) = values.and_then(|values| values.checked(&act.subject))
@@ -204,7 +204,7 @@ impl Document {
                     };
                     let verdict = &checked.verdict;
                     let kind = LensKind::Check { holds: verdict.holds, figures: verdict.figures() };
-                    found.push(Lens { range, kind });
+                    found.push(CodeLens { range, kind });
                 }
                 _ => {}
             }
@@ -213,7 +213,7 @@ impl Document {
             .outline
             .of_file()
             .filter(|name| matches!(name.role, NameRole::Definition(kind) if kind.is_geometry()));
-        found.extend(geometry.map(|name| Lens {
+        found.extend(geometry.map(|name| CodeLens {
             range: name.whole.clone(),
             kind: LensKind::View(name.name.clone()),
         }));

@@ -37,14 +37,14 @@ pub use completion::{Completion, CompletionKind, FolderEntry};
 pub use diagnostics::{Finding, SourceRange, fixes};
 pub use edits::{TextEdit, applied};
 pub use format::{formatted, formatted_lines};
-pub use hints::{Hint, HintKind, HintOptions, Lens, LensKind};
+pub use hints::{CodeLens, Hint, HintKind, HintOptions, LensKind};
 pub use measured::CloserLook;
 pub use names::{Occurrence, Rename};
 pub use offered::offered;
 pub use outline::{Act, ActKind, CallSite, DefinedName, NameRole, Outline};
 pub use position::{ColumnUnit, LineColumn, LineIndex};
 pub use signature::{CalledSignature, SignatureParameter};
-pub use structure::{Fold, Symbol};
+pub use structure::{FoldingRange, Symbol};
 pub use tokens::{SemanticToken, TokenKind};
 pub use values::Values;
 #[cfg(feature = "cli")]

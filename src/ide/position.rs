@@ -40,17 +40,17 @@ pub struct LineColumn {
 pub struct LineIndex {
     starts: Vec<usize>,
     /// Columns of the text before each block, its line ends counted as well.
-    blocks: Vec<Columns>,
+    blocks: Vec<ColumnCount>,
 }
 
 /// How many columns a text takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Columns {
+struct ColumnCount {
     utf16: usize,
     utf32: usize,
 }
 
-impl Columns {
+impl ColumnCount {
     fn add(&mut self, character: char) {
         self.utf16 += ColumnUnit::Utf16.width(character);
         self.utf32 += ColumnUnit::Utf32.width(character);
@@ -70,7 +70,7 @@ impl LineIndex {
         };
         let ends = (0..bytes.len()).filter(is_end).map(|at| at + 1);
         let starts = std::iter::once(0).chain(ends).collect();
-        let (mut columns, mut blocks) = (Columns::default(), Vec::new());
+        let (mut columns, mut blocks) = (ColumnCount::default(), Vec::new());
         for (at, character) in text.char_indices() {
             // A block begins with the character that its first byte belongs to.
             if blocks.len() * BLOCK < at + character.len_utf8() {

@@ -24,7 +24,7 @@ pub struct Symbol {
 
 /// A part that folds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Fold {
+pub struct FoldingRange {
     /// Its bytes.
     pub range: Range<usize>,
     /// Whether it is a comment.
@@ -72,12 +72,13 @@ impl Document {
 
     /// Statements and brackets over several lines, comments, rows of imports.
     #[must_use]
-    pub fn folds(&self) -> Vec<Fold> {
+    pub fn folds(&self) -> Vec<FoldingRange> {
         let has_lines = |range: &Range<usize>| {
             self.text.get(range.clone()).is_some_and(|text| text.contains('\n'))
         };
-        let plain = |range: Range<usize>| Fold { range, is_comment: false, is_imports: false };
-        let mut found: Vec<Fold> = self
+        let plain =
+            |range: Range<usize>| FoldingRange { range, is_comment: false, is_imports: false };
+        let mut found: Vec<FoldingRange> = self
             .outline
             .nodes
             .iter()
@@ -91,7 +92,7 @@ impl Document {
             .filter(|(paint, _)| *paint == Highlight::Comment)
             .map(|(_, range)| range.clone());
         let comments = self.rows(comments).into_iter();
-        found.extend(comments.map(|range| Fold { is_comment: true, ..plain(range) }));
+        found.extend(comments.map(|range| FoldingRange { is_comment: true, ..plain(range) }));
         let imports = self
             .outline
             .acts
@@ -99,7 +100,9 @@ impl Document {
             .filter(|act| act.kind == ActKind::Import)
             .map(|act| act.whole.clone());
         found.extend(
-            self.rows(imports).into_iter().map(|range| Fold { is_imports: true, ..plain(range) }),
+            self.rows(imports)
+                .into_iter()
+                .map(|range| FoldingRange { is_imports: true, ..plain(range) }),
         );
         sort_by_key(&mut found, |fold| (fold.range.start, fold.range.end));
         // Of several that begin on a line the longest.

@@ -234,7 +234,7 @@ impl Server<'_> {
         if !self.client.has_lenses {
             return Some(Vec::new());
         }
-        let lens = |lens: ide::Lens| {
+        let lens = |lens: ide::CodeLens| {
             let (title, command, name) = match lens.kind {
                 LensKind::Test { name, verdict } => {
                     let title = match verdict {

@@ -37,7 +37,7 @@ pub(crate) fn deviation(body: &Json, known: &Known, session: &Session) -> Result
     }
     let parts = places(&shape_of_item, &source.item(session))?;
     let measured = side_by_side(&parts, session, |part| {
-        let distance = |place: &Place| {
+        let distance = |place: &MeasuredVertex| {
             let point = place.point(&shape_of_item)?;
             nearest(point, &datums)
         };
@@ -49,13 +49,13 @@ pub(crate) fn deviation(body: &Json, known: &Known, session: &Session) -> Result
 }
 
 /// A vertex of what is measured.
-enum Place {
+enum MeasuredVertex {
     Point(DVec3),
     /// Of a surface: its parameters, at which it is exact.
     Parameters([f64; 2]),
 }
 
-impl Place {
+impl MeasuredVertex {
     fn point(&self, shape: &Shape) -> Result<DVec3, GeomError> {
         match (self, shape) {
             (Self::Point(point), _) => Ok(*point),
@@ -71,14 +71,14 @@ impl Place {
 }
 
 /// The vertices of an item in the order of its bytes, in parts.
-fn places(shape: &Shape, encoded: &EncodedItem) -> Result<Vec<Vec<Place>>, String> {
-    let all: Vec<Place> = match shape {
+fn places(shape: &Shape, encoded: &EncodedItem) -> Result<Vec<Vec<MeasuredVertex>>, String> {
+    let all: Vec<MeasuredVertex> = match shape {
         Shape::Surface(_) | Shape::Face(_) => {
             let parameters = encoded.parameters().unwrap_or_default();
-            parameters.into_iter().map(Place::Parameters).collect()
+            parameters.into_iter().map(MeasuredVertex::Parameters).collect()
         }
         Shape::Mesh(mesh) | Shape::Region(_, mesh) => {
-            mesh.vertices().iter().copied().map(Place::Point).collect()
+            mesh.vertices().iter().copied().map(MeasuredVertex::Point).collect()
         }
         shape => return Err(format!("the deviation of a {} is not measured", shape.kind())),
     };

@@ -4,7 +4,7 @@ mod sections;
 
 use std::sync::Arc;
 
-use self::sections::{ScriptText, Telling, document_file};
+use self::sections::{ReviewedRun, ScriptText, document_file};
 use super::{Event, File, PictureContent, Report, Session, drawable};
 use crate::{
     diag::{Code, Diagnostic, Result, Severity, shown},
@@ -57,7 +57,7 @@ impl Session {
         file: &File,
     ) -> Result<ReportDocument> {
         let options = &file.job.options;
-        let telling = Telling { report, script, decimals: options.decimals };
+        let telling = ReviewedRun { report, script, decimals: options.decimals };
         let title = options.title.clone().unwrap_or_else(|| script.title.clone());
         let mut blocks = telling.introduction();
         blocks.extend(self.picture_of(report, file)?);

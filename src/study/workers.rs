@@ -142,7 +142,7 @@ impl Workers<'_> {
 }
 
 /// A worker's clock and session, among the others.
-type Worker<'a> = ((&'a Clock, &'a Session), &'a Workers<'a>);
+type SessionOfWorker<'a> = ((&'a Clock, &'a Session), &'a Workers<'a>);
 
 /// A row with its place, or what ends the study.
 type NumberedRow = (u64, Result<Row, String>);
@@ -168,7 +168,7 @@ fn deliver_rows(
 /// Evaluates one variant after the other.
 fn serve(
     evaluation: &Evaluation<'_>,
-    worker: Worker<'_>,
+    worker: SessionOfWorker<'_>,
     queue: &VariantQueue<impl Iterator<Item = Result<Variant, String>>>,
     sender: &mpsc::Sender<NumberedRow>,
 ) {
@@ -188,7 +188,7 @@ fn serve(
 
 fn row(
     evaluation: &Evaluation<'_>,
-    ((clock, session), workers): Worker<'_>,
+    ((clock, session), workers): SessionOfWorker<'_>,
     variant: &Variant,
 ) -> Result<Row, String> {
     let mut settings = evaluation.settings.to_vec();

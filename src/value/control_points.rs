@@ -9,12 +9,12 @@ use super::{Call, Op, Value, varies};
 use crate::kernel::{Curve, Jet, PointSlopes, Surface, VariedCurve, VariedSurface};
 
 /// A point that may carry derivatives.
-enum Place<'v> {
+enum ConstantOrVaried<'v> {
     Plain(DVec3),
     Varying(&'v [Jet; 3]),
 }
 
-impl Place<'_> {
+impl ConstantOrVaried<'_> {
     fn value(&self) -> DVec3 {
         match self {
             Self::Plain(point) => *point,
@@ -52,7 +52,7 @@ pub fn with_slopes_of_points(op: &Op, call: &Call, answer: &Value) -> Option<Val
 }
 
 /// The points of a call, one behind the other, unless something beside them varies.
-fn points_of<'c>(op: &Op, call: &'c Call) -> Option<Vec<Place<'c>>> {
+fn points_of<'c>(op: &Op, call: &'c Call) -> Option<Vec<ConstantOrVaried<'c>>> {
     let name = op.params.first()?.name;
     let mut points = Vec::new();
     for (label, given) in &call.named {
@@ -67,10 +67,10 @@ fn points_of<'c>(op: &Op, call: &'c Call) -> Option<Vec<Place<'c>>> {
 }
 
 /// Adds the points of a list to others; none where something else stands in it.
-fn flatten<'v>(value: &'v Value, points: &mut Vec<Place<'v>>) -> Option<()> {
+fn flatten<'v>(value: &'v Value, points: &mut Vec<ConstantOrVaried<'v>>) -> Option<()> {
     match value {
-        Value::Point(point) => points.push(Place::Plain(*point)),
-        Value::JetPoint(jets) => points.push(Place::Varying(jets)),
+        Value::Point(point) => points.push(ConstantOrVaried::Plain(*point)),
+        Value::JetPoint(jets) => points.push(ConstantOrVaried::Varying(jets)),
         Value::List(items) if items.numbers().is_none() => {
             items.iter().try_for_each(|item| flatten(item, points))?;
         }
@@ -81,10 +81,10 @@ fn flatten<'v>(value: &'v Value, points: &mut Vec<Place<'v>>) -> Option<()> {
 
 /// The slopes of control points that are these points, with weights of their own, and the first of them again where
 /// there are more.
-fn slopes(points: &[Place<'_>], control_points: &[DVec4]) -> Option<PointSlopes> {
-    let n_variables = points.iter().find_map(Place::n_variables)?;
+fn slopes(points: &[ConstantOrVaried<'_>], control_points: &[DVec4]) -> Option<PointSlopes> {
+    let n_variables = points.iter().find_map(ConstantOrVaried::n_variables)?;
     let around = || control_points.iter().zip(points.iter().cycle());
-    let is_own = |(control_point, point): (&DVec4, &Place<'_>)| {
+    let is_own = |(control_point, point): (&DVec4, &ConstantOrVaried<'_>)| {
         *control_point == weighted(point.value(), control_point.w)
     };
     if control_points.len() < points.len() || !around().all(is_own) {
@@ -92,7 +92,7 @@ fn slopes(points: &[Place<'_>], control_points: &[DVec4]) -> Option<PointSlopes>
     }
     let mut by_variable = vec![Vec::new(); n_variables];
     for (idx, (control_point, point)) in around().enumerate() {
-        let Place::Varying(jets) = point else { continue };
+        let ConstantOrVaried::Varying(jets) = point else { continue };
         let [x, y, z] = jets.each_ref().map(Jet::slopes);
         for (variable, own) in by_variable.iter_mut().enumerate() {
             let slope = DVec3::new(x[variable], y[variable], z[variable]);

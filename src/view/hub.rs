@@ -51,7 +51,7 @@ pub(super) struct Hub {
 
 /// What a listener is told.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct News {
+pub(super) struct PageUpdate {
     /// The version that is being made.
     pub(super) busy: Option<u64>,
     /// The version that is shown.
@@ -212,9 +212,9 @@ impl Hub {
     }
 
     /// What there is to tell, as soon as it is something else than this, or after a time.
-    pub(super) fn news(&self, known: Option<News>, time: Duration) -> News {
+    pub(super) fn news(&self, known: Option<PageUpdate>, time: Duration) -> PageUpdate {
         let mut state = self.lock();
-        let of = |state: &HubState| News {
+        let of = |state: &HubState| PageUpdate {
             busy: state.running.as_ref().map(|(job, _)| job.version),
             version: state.shown.version,
             is_over: state.is_over,

@@ -15,7 +15,7 @@ use super::{
     doors::Doors,
     guard::Guard,
     http::{HttpError, Request, Response, begin_stream},
-    hub::{Hub, News},
+    hub::{Hub, PageUpdate},
     routes,
 };
 
@@ -93,7 +93,7 @@ fn answer(stream: &mut TcpStream, guard: &Guard, doors: &Doors) {
 }
 
 /// The state of a version as a member of an event, if it is still the newest; what it holds is one line.
-fn whole(hub: &Hub, news: News) -> String {
+fn whole(hub: &Hub, news: PageUpdate) -> String {
     let shown = hub.shown();
     let is_it = shown.version == news.version;
     let state = std::str::from_utf8(&shown.state).ok().filter(|_| is_it && 0 < news.version);
@@ -105,7 +105,7 @@ fn tell_events(stream: &mut TcpStream, doors: &Doors, is_whole: bool) -> std::io
     begin_stream(stream)?;
     let hub = &doors.hub;
     let _listener = hub.listen();
-    let mut known: Option<News> = None;
+    let mut known: Option<PageUpdate> = None;
     loop {
         let news = hub.news(known, HEARTBEAT);
         if news.is_over {

@@ -32,7 +32,7 @@ impl Machine<'_> {
         let scripts = self.scripts.clone();
         self.prepare(n_slots);
         let home = Arc::clone(&self.home);
-        let behind = Behind { program, home: &home, n_left: MOST_STEPS };
+        let behind = NameSearch { program, home: &home, n_left: MOST_STEPS };
         let found = self.behind(claim, &behind);
         self.warnings.truncate(n_warnings);
         self.scripts.extend(scripts);
@@ -43,7 +43,7 @@ impl Machine<'_> {
     }
 
     /// The verdict of the test of a list that decides an expression.
-    fn behind(&mut self, expr: &Expr, scope: &Behind<'_>) -> Option<Verdict> {
+    fn behind(&mut self, expr: &Expr, scope: &NameSearch<'_>) -> Option<Verdict> {
         match &expr.kind {
             ExprKind::Binary(op @ (BinaryOp::And | BinaryOp::Or), sides) => {
                 let first = self.is_true(&sides[0])?;
@@ -98,7 +98,7 @@ impl Machine<'_> {
     }
 
     /// Behind the value of a block, or behind what a name in it stands for.
-    fn behind_block(&mut self, block: &Block, scope: &Behind<'_>) -> Option<Verdict> {
+    fn behind_block(&mut self, block: &Block, scope: &NameSearch<'_>) -> Option<Verdict> {
         self.define(block).ok()?;
         let named = match block.value.kind {
             ExprKind::Local(slot) => block.definitions.iter().rev().find(|(own, _)| *own == slot),
@@ -132,7 +132,7 @@ impl Machine<'_> {
         function: &ScriptFunction,
         args: Vec<Option<Value>>,
         span: Span,
-        scope: &Behind<'_>,
+        scope: &NameSearch<'_>,
     ) -> Option<Verdict> {
         let scope = scope.deeper()?;
         self.step(span).ok()?;
@@ -156,13 +156,13 @@ const MOST_STEPS: usize = 16;
 
 /// The file that is asked about, and how much farther names and calls are followed.
 #[derive(Clone, Copy)]
-struct Behind<'p> {
+struct NameSearch<'p> {
     program: &'p Program,
     home: &'p Arc<Globals>,
     n_left: usize,
 }
 
-impl Behind<'_> {
+impl NameSearch<'_> {
     /// The same behind one name or call more.
     fn deeper(self) -> Option<Self> {
         Some(Self { n_left: self.n_left.checked_sub(1)?, ..self })

@@ -41,7 +41,7 @@ impl Machine<'_> {
         span: Span,
     ) -> Verdict {
         let passes = holds != is_denied(claim);
-        let mut told = Told { passes, unit: self.env.unit, distances: None, n_failing: None };
+        let mut told = ListWords { passes, unit: self.env.unit, distances: None, n_failing: None };
         let (mut shown, mut places) = (Verdict::default(), ClaimPlaces::default());
         if !holds {
             if let WitnessOf::Element(idx) = of
@@ -121,7 +121,7 @@ struct ListVerdicts {
 }
 
 /// What goes into the sentence about a list.
-struct Told {
+struct ListWords {
     /// Whether the test of the list holds, whatever the claim makes of that.
     passes: bool,
     unit: Unit,
@@ -130,7 +130,7 @@ struct Told {
     n_failing: Option<usize>,
 }
 
-impl Told {
+impl ListWords {
     /// What decided the test of a list.
     fn sentence(&self, of: &WitnessOf, list: &List) -> String {
         let n = list.len();

@@ -25,7 +25,7 @@ const EXTENT_PARTS: usize = 8;
 
 /// A place on an arc at which it is cut.
 #[derive(Clone, Copy)]
-struct Cut {
+struct CutPoint {
     arc: usize,
     parameter: f64,
     point: DVec3,
@@ -48,9 +48,9 @@ impl Arrangement {
         let ends = arcs.iter().enumerate().flat_map(|(arc, curve)| {
             let domain = curve.domain();
             let ends = [(domain.start(), curve.start()), (domain.end(), curve.end())];
-            ends.map(|(parameter, point)| Cut { arc, parameter, point })
+            ends.map(|(parameter, point)| CutPoint { arc, parameter, point })
         });
-        let mut cuts: Vec<Cut> = ends.collect();
+        let mut cuts: Vec<CutPoint> = ends.collect();
         let mut pairs = near_pairs(&arcs, tolerance);
         pairs.retain(|&(i, j)| apart == Apart::Nothing || groups[i] != groups[j]);
         let n_threads = n_threads.min(pairs.len() / WORTH_A_THREAD + 1);
@@ -62,7 +62,11 @@ impl Arrangement {
             for [s, t] in found? {
                 let (p, q) = (arcs[i].point_at(s), arcs[j].point_at(t));
                 let point = p.midpoint(q);
-                cuts.extend([(i, s), (j, t)].map(|(arc, parameter)| Cut { arc, parameter, point }));
+                cuts.extend([(i, s), (j, t)].map(|(arc, parameter)| CutPoint {
+                    arc,
+                    parameter,
+                    point,
+                }));
             }
         }
         let (vertices, vertex_of) = vertices(&cuts, tolerance);
@@ -75,7 +79,7 @@ impl Arrangement {
     /// Makes edges of what is between cuts.
     fn cut(
         &mut self,
-        cuts: &[Cut],
+        cuts: &[CutPoint],
         vertex_of: &[usize],
         groups: &[usize],
     ) -> Result<(), GeomError> {
@@ -183,7 +187,7 @@ fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
 }
 
 /// The vertices, and that of each cut: places within the tolerance of one another are one.
-fn vertices(cuts: &[Cut], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
+fn vertices(cuts: &[CutPoint], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
     let mut places = DisjointSets::new(cuts.len());
     let mut order: Vec<usize> = (0..cuts.len()).collect();
     sort_by(&mut order, |&i, &j| cuts[i].point.x.total_cmp(&cuts[j].point.x).then(i.cmp(&j)));

@@ -12,7 +12,7 @@ use glam::{DAffine3, DVec3};
 use super::{
     Mesh,
     fault::MeshError,
-    manifold_body::{Combination, ManifoldBody, Slack},
+    manifold_body::{BooleanTolerance, Combination, ManifoldBody},
     topology::weld_distance,
     weld::welded,
 };
@@ -97,8 +97,8 @@ fn combined(
     }
 
     // Combine them exactly; where that leaves slivers, once more with what is short in one place.
-    let exact = Slack { merged: 0.0, allowed: rounding };
-    let merging = Slack { merged: distance, allowed: distance.max(rounding) };
+    let exact = BooleanTolerance { merged: 0.0, allowed: rounding };
+    let merging = BooleanTolerance { merged: distance, allowed: distance.max(rounding) };
     match of_bodies(&bodies, combination, exact).and_then(|body| body.mesh(tolerance)) {
         Err(GeomError::Mesh(_)) => of_bodies(&bodies, combination, merging)?.mesh(tolerance),
         found => found,
@@ -135,7 +135,7 @@ fn larger(error: GeomError, scale: f64) -> GeomError {
 fn of_bodies(
     bodies: &[ManifoldBody],
     combination: Combination,
-    slack: Slack,
+    slack: BooleanTolerance,
 ) -> Result<ManifoldBody, GeomError> {
     let bodies: Vec<ManifoldBody> = bodies.iter().map(|body| body.merging(slack.merged)).collect();
     let [whole, others @ ..] = &bodies[..] else { unreachable!("a box around them was found") };
@@ -152,7 +152,7 @@ fn of_bodies(
 fn tree(
     mut bodies: Vec<ManifoldBody>,
     combination: Combination,
-    slack: Slack,
+    slack: BooleanTolerance,
 ) -> Result<ManifoldBody, GeomError> {
     while 1 < bodies.len() {
         let pairs = bodies.chunks(2).map(|pair| match pair {

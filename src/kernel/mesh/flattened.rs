@@ -27,7 +27,7 @@ struct FlattenedNet {
 
 /// Two triangles that lie on one another beside a side: the ends of that, and the third corners.
 #[derive(Clone, Copy)]
-struct Fold {
+struct OverlappingPair {
     triangles: [u32; 2],
     ends: [u32; 2],
     tips: [u32; 2],
@@ -136,20 +136,20 @@ impl FlattenedNet {
     }
 
     /// A triangle that lies on this one beside one of its sides.
-    fn fold_of(&self, triangle: u32, corners: [u32; 3]) -> Option<Fold> {
+    fn fold_of(&self, triangle: u32, corners: [u32; 3]) -> Option<OverlappingPair> {
         sides(corners).into_iter().find_map(|[a, b]| {
             let tip = self.tip(triangle, [a, b])?;
             let others = self.along.get(&[b, a])?;
             others.iter().find_map(|&other| {
                 let tips = [tip, self.tip(other, [a, b])?];
-                let fold = Fold { triangles: [triangle, other], ends: [a, b], tips };
+                let fold = OverlappingPair { triangles: [triangle, other], ends: [a, b], tips };
                 self.is_flat(fold).then_some(fold)
             })
         })
     }
 
     /// Whether two triangles at a side are in one plane, on the same side of it.
-    fn is_flat(&self, Fold { ends, tips, .. }: Fold) -> bool {
+    fn is_flat(&self, OverlappingPair { ends, tips, .. }: OverlappingPair) -> bool {
         let [a, b] = ends.map(|end| self.place(end));
         let [c, d] = tips.map(|tip| self.place(tip));
         let [one, other] = [c, d].map(|tip| (b - a).cross(tip - a));
@@ -161,7 +161,10 @@ impl FlattenedNet {
     }
 
     /// Takes away what two triangles have in common.
-    fn unfold(&mut self, Fold { triangles, ends: [a, b], tips: [c, d] }: Fold) -> Option<()> {
+    fn unfold(
+        &mut self,
+        OverlappingPair { triangles, ends: [a, b], tips: [c, d] }: OverlappingPair,
+    ) -> Option<()> {
         let [from, to, one, other] = [a, b, c, d].map(|corner| self.place(corner));
         let [normal, other_normal] = [one, other].map(|tip| (to - from).cross(tip - from));
         let normal = if normal.length() < other_normal.length() { other_normal } else { normal };

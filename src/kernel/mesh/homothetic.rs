@@ -51,7 +51,7 @@ struct CarriedPiece {
 }
 
 /// A piece of a rational curve.
-struct CurvePiece {
+struct RationalPiece {
     domain: Interval,
     /// What value, first and second derivative are hulls of, by fractions of the piece.
     hulls: CurveHulls,
@@ -142,7 +142,7 @@ impl HomotheticSections {
 }
 
 impl SectionPiece {
-    fn new(piece: CurvePiece) -> Self {
+    fn new(piece: RationalPiece) -> Self {
         let hulls = piece.hulls.map(|hull| {
             let vectors: Vec<DVec3> = hull.into_iter().map(DVec4::truncate).collect();
             in_lanes(&vectors).collect()
@@ -152,7 +152,7 @@ impl SectionPiece {
 }
 
 impl CarriedPiece {
-    fn new(piece: CurvePiece) -> Self {
+    fn new(piece: RationalPiece) -> Self {
         let [value, first, bends] = piece.hulls;
         let range = |values: Vec<DVec4>| -> [f64; 2] {
             let sizes = values.iter().map(|value| value.w);
@@ -194,7 +194,7 @@ fn pieces(
     values: &[DVec4],
     weights: &[f64],
     new: &[f64],
-) -> Option<Vec<CurvePiece>> {
+) -> Option<Vec<RationalPiece>> {
     let weighted = |(value, &weight): (&DVec4, &f64)| *value * weight;
     let numerators = values.iter().zip(weights).map(weighted).collect();
     let denominators = weights.iter().map(|&weight| DVec4::splat(weight)).collect();
@@ -205,7 +205,7 @@ fn pieces(
         let (domain, points) = (lines.knots.span_interval(span), lines.knots.support(span));
         let weights: Vec<f64> = denominators[points.clone()].iter().map(|one| one.w).collect();
         let values = &numerators[points];
-        Some(CurvePiece {
+        Some(RationalPiece {
             domain,
             hulls: curve_hulls(values, &weights),
             middle: middle(values, &weights, domain.length())?,

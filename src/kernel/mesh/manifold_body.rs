@@ -42,7 +42,7 @@ pub(super) struct ManifoldBody {
 
 /// How far vertices may move beyond rounding, and what a volume may differ by for each unit of area.
 #[derive(Clone, Copy)]
-pub(super) struct Slack {
+pub(super) struct BooleanTolerance {
     pub(super) merged: f64,
     pub(super) allowed: f64,
 }
@@ -144,7 +144,7 @@ impl ManifoldBody {
         &self,
         other: &Self,
         combination: Combination,
-        slack: Slack,
+        slack: BooleanTolerance,
     ) -> Result<Self, GeomError> {
         // Where faces coincide, in coordinates in which they do so to the last bit.
         let meshes = [self, other].map(Self::raw_mesh);

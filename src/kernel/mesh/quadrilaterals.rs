@@ -12,7 +12,7 @@ use super::Mesh;
 use crate::tolerance::LEAN_SHARE;
 
 /// A triangle with two sides along the parameters.
-struct Half {
+struct HalfQuadrilateral {
     triangle: u32,
     /// The corner between these sides, and the way from there to the one of the cell across from it.
     corner: DVec2,
@@ -26,7 +26,7 @@ impl Mesh {
     /// The same with halves of a cell of the parameters as one face, where the first of them stood.
     #[must_use]
     pub fn with_quadrilaterals(mut self) -> Self {
-        let mut waiting: HashMap<[u32; 2], Half> = HashMap::new();
+        let mut waiting: HashMap<[u32; 2], HalfQuadrilateral> = HashMap::new();
         let mut partners: Vec<Option<u32>> = vec![None; self.n_triangles()];
         let mut is_second = vec![false; partners.len()];
         for triangle in 0..self.n_triangles() as u32 {
@@ -51,7 +51,7 @@ impl Mesh {
         self.of_runs(sizes)
     }
 
-    fn half_of_cell(&self, triangle: u32) -> Option<Half> {
+    fn half_of_cell(&self, triangle: u32) -> Option<HalfQuadrilateral> {
         let corners = self.triangles[triangle as usize];
         (0..3).find_map(|k| {
             let [first, next, last] = [0, 1, 2].map(|i| corners[(k + i) % 3]);
@@ -66,12 +66,18 @@ impl Mesh {
             };
             let is_wide = far.x.abs() > 0.0 && far.y.abs() > 0.0;
             let diagonal = [next.min(last), next.max(last)];
-            is_wide.then_some(Half { triangle, corner, far, diagonal, is_forward: next < last })
+            is_wide.then_some(HalfQuadrilateral {
+                triangle,
+                corner,
+                far,
+                diagonal,
+                is_forward: next < last,
+            })
         })
     }
 }
 
-impl Half {
+impl HalfQuadrilateral {
     /// Whether both make a cell, each the half across from the other.
     fn is_beside(&self, other: &Self) -> bool {
         let is_across = |one: &Self, other: &Self| {

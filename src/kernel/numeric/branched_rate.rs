@@ -96,12 +96,12 @@ impl<E, F: FnMut(f64, &[f64]) -> Result<Vec<f64>, E>> BranchedRate<E> for OneBra
 }
 
 /// A rate that counts how often it is asked. Components that it does not tell are no numbers.
-pub(super) struct Counted<'a, R> {
+pub(super) struct CountedRate<'a, R> {
     pub(super) rate: &'a mut R,
     pub(super) n_asked: usize,
 }
 
-impl<E, R: BranchedRate<E>> BranchedRate<E> for Counted<'_, R> {
+impl<E, R: BranchedRate<E>> BranchedRate<E> for CountedRate<'_, R> {
     fn at(&mut self, place: f64, state: &[f64]) -> Result<Vec<f64>, E> {
         self.n_asked += 1;
         self.rate.at(place, state).map(|rate| filled(rate, state.len()))

@@ -35,7 +35,7 @@ const DIFFERENCE: [f64; 7] = [
 ];
 
 /// A step that was tried.
-pub(super) struct Trial {
+pub(super) struct TrialStep {
     pub(super) step: Step,
     /// The difference of the two orders.
     difference: Vec<f64>,
@@ -43,7 +43,7 @@ pub(super) struct Trial {
     pub(super) stiffness: f64,
 }
 
-impl Trial {
+impl TrialStep {
     /// # Errors
     /// Those of the rate.
     pub(super) fn new<E>(

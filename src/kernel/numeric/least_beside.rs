@@ -24,7 +24,7 @@ use crate::{
 const REACHES: [f64; 3] = [1.0, 10.0, 100.0];
 
 /// Two places on both sides of the best one, the better one first, with their merits.
-struct Sides {
+struct Bracket {
     merits: [f64; 2],
     place: Vec<f64>,
     values: Vec<f64>,
@@ -38,7 +38,7 @@ where
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
         let n = self.place.len();
-        let mut best: Option<Sides> = None;
+        let mut best: Option<Bracket> = None;
         for k in 0..n {
             let sides = self.sides(&axis(n, k), LEAST_PROBE_RELATIVE, &[])?;
             if best.as_ref().is_none_or(|best| sides.merits[0] < best.merits[0]) {
@@ -52,7 +52,10 @@ where
     }
 
     /// Goes to a place that is better than this one.
-    fn leaves_for(&mut self, Sides { merits: [least, opposite], place, values }: Sides) -> bool {
+    fn leaves_for(
+        &mut self,
+        Bracket { merits: [least, opposite], place, values }: Bracket,
+    ) -> bool {
         let merit = self.merit(&self.values);
         // Down on one side by about as much as up on the other: a slope, however small.
         let (fall, rise) = (merit - least, opposite - merit);
@@ -66,14 +69,14 @@ where
     }
 
     /// The places on both sides along a way, led back to where the conditions hold and those that are held are zero.
-    fn sides(&mut self, way: &[f64], reach: f64, held: &[usize]) -> Result<Sides, E> {
+    fn sides(&mut self, way: &[f64], reach: f64, held: &[usize]) -> Result<Bracket, E> {
         let [before, behind] =
             [self.led_along(way, -reach, held)?, self.led_along(way, reach, held)?];
         let merits = [self.merit(&before.1), self.merit(&behind.1)];
         let is_before = merits[0] <= merits[1];
         let merits = if is_before { merits } else { [merits[1], merits[0]] };
         let (place, values) = if is_before { before } else { behind };
-        Ok(Sides { merits, place, values })
+        Ok(Bracket { merits, place, values })
     }
 
     /// The place along a way, led back to where the conditions hold and those that are held are zero, and the values there.

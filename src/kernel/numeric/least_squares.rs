@@ -105,7 +105,7 @@ struct SquaresSearch<'b, F> {
 }
 
 /// How a search went.
-struct Way {
+struct SearchPath {
     is_settled: bool,
     /// Whether it went as far as it goes: not where its steps ran out.
     is_ended: bool,
@@ -138,13 +138,13 @@ where
     }
 
     /// Damped steps, each of which leads down.
-    fn go_on(&mut self) -> Result<Way, E> {
+    fn go_on(&mut self) -> Result<SearchPath, E> {
         let mut damping = DAMPING_FIRST;
-        let mut way = Way { is_settled: false, is_ended: true, last: None };
+        let mut way = SearchPath { is_settled: false, is_ended: true, last: None };
         for _ in 0..LEAST_SQUARES_STEPS {
             let square = squares(&self.residuals);
             if square <= 0.0 {
-                return Ok(Way { is_settled: true, is_ended: true, last: None });
+                return Ok(SearchPath { is_settled: true, is_ended: true, last: None });
             }
             let gradients = self.asked.gradients(&self.unknowns, self.bounds)?;
             let is_known = gradients.iter().flatten().all(|slope| slope.is_finite());

@@ -25,12 +25,12 @@ const SHORTENINGS: usize = 3;
 const END_OF_NUMBERS: f64 = -1e150;
 
 /// A place with the value there.
-type Place = (Vec<f64>, f64);
+type ValuedPoint = (Vec<f64>, f64);
 
 /// A place that a search came to, and how to go on from it.
 pub(super) struct PoleSearch<G, S> {
     /// The best place so far.
-    pub(super) best: Place,
+    pub(super) best: ValuedPoint,
     /// Ways from a place, the first of which is asked whether anything looks like a pole; by their number.
     pub(super) n_ways: usize,
     /// The place so far along a way from another, with the value there; none where there is none, or not all
@@ -42,7 +42,7 @@ pub(super) struct PoleSearch<G, S> {
 
 impl<E, G, S> PoleSearch<G, S>
 where
-    G: FnMut(&[f64], usize, f64) -> Result<Option<Place>, E>,
+    G: FnMut(&[f64], usize, f64) -> Result<Option<ValuedPoint>, E>,
     S: Fn(&[f64], usize) -> f64,
 {
     /// The place near which the function falls without bound, if there is one.

@@ -40,7 +40,7 @@ pub fn find_root<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     interval: [f64; 2],
 ) -> Result<Sample, RootError<E>> {
-    sought(function, interval, Touch::IsRoot)
+    sought(function, interval, TouchingRoot::IsRoot)
 }
 
 /// The same, of a function of which others tell where it only touches zero: that is no root here, however near it
@@ -59,12 +59,12 @@ pub fn find_crossing<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     interval: [f64; 2],
 ) -> Result<Sample, RootError<E>> {
-    sought(function, interval, Touch::IsNone)
+    sought(function, interval, TouchingRoot::IsNone)
 }
 
 /// Whether a place where a function comes as near to zero as rounding tells, and does not cross it, is a root.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Touch {
+enum TouchingRoot {
     IsRoot,
     IsNone,
 }
@@ -72,7 +72,7 @@ enum Touch {
 fn sought<E>(
     function: impl FnMut(f64) -> Result<f64, E>,
     [start, end]: [f64; 2],
-    touches: Touch,
+    touches: TouchingRoot,
 ) -> Result<Sample, RootError<E>> {
     let mut asked = AskedFunction::new(function, [start, end]);
     let ends = [asked.at(start)?, asked.at(end)?];
@@ -133,7 +133,8 @@ pub fn find_roots<E>(
             roots.extend(unless_jump(&mut asked, [pair[0].at, pair[1].at], found)?);
         } else if let [before, middle, after] = samples[i..(i + 3).min(samples.len())]
             && is_valley(before, middle, after)
-            && let Ok(root) = touch_between(&mut asked, [before, middle, after], Touch::IsRoot)?
+            && let Ok(root) =
+                touch_between(&mut asked, [before, middle, after], TouchingRoot::IsRoot)?
         {
             roots.push(root);
         }
@@ -227,7 +228,7 @@ fn next_share([a, b, c]: [Sample; 3]) -> f64 {
 fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
     asked: &mut AskedFunction<F>,
     samples: &[Sample],
-    touches: Touch,
+    touches: TouchingRoot,
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let nearer = |a: &&Sample, b: &&Sample| a.value.abs().total_cmp(&b.value.abs());
     let Some(&nearest) = samples.iter().min_by(nearer) else { unreachable!("there are ends") };
@@ -241,7 +242,7 @@ fn touch<E, F: FnMut(f64) -> Result<f64, E>>(
 fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
     asked: &mut AskedFunction<F>,
     [before, middle, after]: [Sample; 3],
-    touches: Touch,
+    touches: TouchingRoot,
 ) -> Result<Result<Sample, Sample>, RootError<E>> {
     let sign = middle.value.signum();
     let size = asked.size;
@@ -261,7 +262,8 @@ fn touch_between<E, F: FnMut(f64) -> Result<f64, E>>(
         return between(asked, [before, beyond], after.at - before.at).map(Ok);
     }
     let least = Sample { at: least.at, value: least.value * sign };
-    let is_root = touches == Touch::IsRoot && least.value.abs() <= ROOT_TOUCH_RELATIVE * size;
+    let is_root =
+        touches == TouchingRoot::IsRoot && least.value.abs() <= ROOT_TOUCH_RELATIVE * size;
     Ok(if is_root { Ok(least) } else { Err(least) })
 }
 

@@ -1,8 +1,8 @@
 //! What a state comes to that changes at a known rate: initial values of ordinary differential equations.
 
 use super::{
-    branched_rate::{BranchEnd, BranchedRate, Counted, OneBranch},
-    dormand_prince::{Step, Trial},
+    branched_rate::{BranchEnd, BranchedRate, CountedRate, OneBranch},
+    dormand_prince::{Step, TrialStep},
     trajectory_nodes::{Trajectory, TrajectoryNode},
 };
 use crate::{
@@ -101,7 +101,7 @@ pub fn find_branched_trajectory<E>(
     range: [f64; 2],
     tolerance: f64,
 ) -> Result<Trajectory, TrajectoryError<E>> {
-    let mut rate = Counted { rate, n_asked: 0 };
+    let mut rate = CountedRate { rate, n_asked: 0 };
     let mut found = settled(&mut rate, start, range, [tolerance, LEAST_STEPS])?;
     if found.overlooks(&mut rate, range, tolerance) {
         found = settled(&mut rate, start, range, [tolerance, FINER_STEPS])?;
@@ -160,9 +160,10 @@ fn trajectory<E>(
         width = if left < 2.0 * width { 0.5 * left } else { width };
         width = if is_last { left } else { width };
         let end = if is_last { to } else { last.place + width };
-        let trial = Trial::new(&mut |place, state: &[f64]| rate.along(place, state), &last, end);
+        let trial =
+            TrialStep::new(&mut |place, state: &[f64]| rate.along(place, state), &last, end);
         let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error(&last.state, allowed));
-        let growth = Trial::growth(error, was_refused);
+        let growth = TrialStep::growth(error, was_refused);
         // Beside a jump of the rate the shortest step may be off by more.
         let is_shortest = width <= least;
         let most_error = if is_shortest { TRAJECTORY_FIRST_SHARE / share } else { 1.0 };

@@ -46,15 +46,15 @@ pub struct FaceClosestPoint {
 }
 
 /// What is least over a part of a surface, and where, if that is known.
-struct Least {
+struct LeastValue {
     value: f64,
     parameters: Option<[f64; 2]>,
 }
 
 /// A quantity that is least somewhere.
-trait Quantity {
+trait BoundedQuantity {
     /// Its least value over all of a surface.
-    fn least(&self, part: &NurbsSurface) -> Least;
+    fn least(&self, part: &NurbsSurface) -> LeastValue;
 
     /// No more than its least value in a box.
     fn at_least(&self, hull: Bounds) -> f64;
@@ -64,20 +64,20 @@ trait Quantity {
 }
 
 /// How far along an axis, turned around for the upper end.
-struct Reach {
+struct AxisRange {
     axis: usize,
     is_upper: bool,
 }
 
-impl Reach {
+impl AxisRange {
     fn of(&self, bounds: Bounds) -> f64 {
         if self.is_upper { -bounds.max[self.axis] } else { bounds.min[self.axis] }
     }
 }
 
-impl Quantity for Reach {
-    fn least(&self, part: &NurbsSurface) -> Least {
-        Least { value: self.of(part.bounds()), parameters: None }
+impl BoundedQuantity for AxisRange {
+    fn least(&self, part: &NurbsSurface) -> LeastValue {
+        LeastValue { value: self.of(part.bounds()), parameters: None }
     }
 
     fn at_least(&self, hull: Bounds) -> f64 {
@@ -92,10 +92,10 @@ impl Quantity for Reach {
 /// How far from a point.
 struct DistanceTo(DVec3);
 
-impl Quantity for DistanceTo {
-    fn least(&self, part: &NurbsSurface) -> Least {
+impl BoundedQuantity for DistanceTo {
+    fn least(&self, part: &NurbsSurface) -> LeastValue {
         let foot = part.closest(self.0);
-        Least { value: foot.distance, parameters: Some(foot.parameters) }
+        LeastValue { value: foot.distance, parameters: Some(foot.parameters) }
     }
 
     fn at_least(&self, Bounds { min, max }: Bounds) -> f64 {
@@ -147,7 +147,7 @@ impl Face {
         let mut found = border;
         for axis in 0..3 {
             for is_upper in [false, true] {
-                let reach = Reach { axis, is_upper };
+                let reach = AxisRange { axis, is_upper };
                 let known = border.map_or(f64::INFINITY, |border| reach.of(border));
                 let inside =
                     self.least_inside(known, whole.diagonal(), &reach, (&boxes, &carrier))?;
@@ -219,11 +219,11 @@ impl Face {
         &self,
         known: f64,
         size: f64,
-        quantity: &dyn Quantity,
+        quantity: &dyn BoundedQuantity,
         (boxes, carrier): (&[Bounds], &Carrier<'_>),
-    ) -> Result<Option<Least>, GeomError> {
+    ) -> Result<Option<LeastValue>, GeomError> {
         let slack = EXTREMUM_RELATIVE * size;
-        let mut found: Option<Least> = None;
+        let mut found: Option<LeastValue> = None;
         let mut todo = vec![DistanceCell { intervals: self.plane.domains(), depth: 0 }];
         while let Some(DistanceCell { intervals, depth }) = todo.pop() {
             GeomError::go_on(1)?;

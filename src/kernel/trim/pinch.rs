@@ -27,7 +27,7 @@ const LEAST_SHARE: f64 = 0.5;
 
 /// A line of constant parameter that is a point, not at an end of the domain unless that is a seam.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pinch {
+pub(super) struct DegenerateLine {
     /// The number of the parameter that is constant along it, and that parameter.
     across: usize,
     at: f64,
@@ -49,11 +49,11 @@ fn parameters_of(knots: &KnotVector) -> Vec<f64> {
 
 impl ParameterPlane {
     /// The lines of constant parameter that are points within a distance.
-    pub(super) fn pinches(&self, distance: f64) -> Vec<Pinch> {
+    pub(super) fn pinches(&self, distance: f64) -> Vec<DegenerateLine> {
         (0..2).flat_map(|across| self.pinches_across(across, 2.0 * distance)).collect()
     }
 
-    fn pinches_across(&self, across: usize, widest: f64) -> Vec<Pinch> {
+    fn pinches_across(&self, across: usize, widest: f64) -> Vec<DegenerateLine> {
         let knots = [self.surface.knots_u(), self.surface.knots_v()];
         let along = self.domains()[1 - across];
         let width = |at: f64| self.width((across, at), LOOKS.map(|look| along.at(look)));
@@ -80,12 +80,12 @@ impl ParameterPlane {
         let others = parameters_of(knots[1 - across]);
         found.retain(|&at| self.width((across, at), others.iter().copied()) <= widest);
         let point = |at: f64| self.surface_at((across, at), along.at(0.0));
-        found.into_iter().map(|at| Pinch { across, at, point: point(at) }).collect()
+        found.into_iter().map(|at| DegenerateLine { across, at, point: point(at) }).collect()
     }
 
     /// The edges of the domain that are points where the surface has a tip, like the apex of a cone: beside poles
     /// at which it is smooth all normals are one.
-    fn tips(&self, distance: f64) -> Vec<Pinch> {
+    fn tips(&self, distance: f64) -> Vec<DegenerateLine> {
         let mut found = Vec::new();
         for across in (0..2).filter(|&across| !self.is_closed[across]) {
             let (own, along) = (self.domains()[across], self.domains()[1 - across]);
@@ -104,7 +104,7 @@ impl ParameterPlane {
                     others.iter().filter(|_| is_point).filter_map(normal).collect();
                 if normals.iter().any(|normal| PINCH_ALIKE < normal.distance(normals[0])) {
                     let point = self.surface_at((across, end), along.at(0.0));
-                    found.push(Pinch { across, at: end, point });
+                    found.push(DegenerateLine { across, at: end, point });
                 }
             }
         }
@@ -130,7 +130,7 @@ impl ParameterPlane {
 
     /// Whether both sides of the line are one disc, which only its parameters part: the ends of each lead on into
     /// those of the other, as those of a circle do that is turned by half about its diameter.
-    fn is_disc(&self, pinch: &Pinch) -> bool {
+    fn is_disc(&self, pinch: &DegenerateLine) -> bool {
         let along = self.domains()[1 - pinch.across];
         let domain = self.domains()[pinch.across];
         let direction = |share: f64, end: f64| {
@@ -166,11 +166,16 @@ impl Face {
         inside.chain(tips).map(|pinch| pinch.point).collect()
     }
 
-    fn is_inside(&self, pinch: &Pinch, distance: f64) -> bool {
+    fn is_inside(&self, pinch: &DegenerateLine, distance: f64) -> bool {
         self.has_any_of(pinch, distance, |side| side == RegionSide::Inside)
     }
 
-    fn has_any_of(&self, pinch: &Pinch, distance: f64, is_it: impl Fn(RegionSide) -> bool) -> bool {
+    fn has_any_of(
+        &self,
+        pinch: &DegenerateLine,
+        distance: f64,
+        is_it: impl Fn(RegionSide) -> bool,
+    ) -> bool {
         let knots = [self.surface().knots_v(), self.surface().knots_u()][pinch.across];
         parameters_of(knots).windows(2).any(|pair| {
             let place = parameters((pinch.across, pinch.at), 0.5 * (pair[0] + pair[1]));

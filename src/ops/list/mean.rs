@@ -1,6 +1,6 @@
 //! `mean`: the mean of a list.
 
-use super::{Total, total};
+use super::{RunningSum, total};
 use crate::{
     diag::{Result, Spanned},
     ops::math::empty,
@@ -27,10 +27,10 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     }
     let n_items = Real::Plain(items.len() as f64);
     Ok(match total(items, ctx.span)? {
-        Total::Number(sum) => {
+        RunningSum::Number(sum) => {
             let value = sum.value.over(&n_items).at(ctx.span)?;
             Number { value, dim: sum.dim }.into_value()
         }
-        Total::Point(sum) => sum.over(&n_items).at(ctx.span)?.into_value(),
+        RunningSum::Point(sum) => sum.over(&n_items).at(ctx.span)?.into_value(),
     })
 }

@@ -81,15 +81,15 @@ pub(super) fn check_length(n: f64, ctx: &Ctx<'_>) -> Result<()> {
 }
 
 /// A sum.
-enum Total {
+enum RunningSum {
     Number(Number<Real>),
     Point(Vector),
 }
 
 /// The sum of numbers or points.
-fn total(items: &List, span: Span) -> Result<Total> {
+fn total(items: &List, span: Span) -> Result<RunningSum> {
     if let Some((values, dim)) = items.numbers() {
-        return total_of_numbers(values, dim, span).map(Total::Number);
+        return total_of_numbers(values, dim, span).map(RunningSum::Number);
     }
     let stranger = |item: &Value| {
         let message = format!("numbers can be added, and points, but not {}", item.phrase());
@@ -121,8 +121,8 @@ fn total(items: &List, span: Span) -> Result<Total> {
         }
     }
     Ok(match items.first().map(Value::kind) {
-        Some("point") => Total::Point(point),
-        _ => Total::Number(Number { value: finite(value, span)?, dim: dim.dimension() }),
+        Some("point") => RunningSum::Point(point),
+        _ => RunningSum::Number(Number { value: finite(value, span)?, dim: dim.dimension() }),
     })
 }
 

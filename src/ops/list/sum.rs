@@ -1,6 +1,6 @@
 //! `sum`: the sum of a list.
 
-use super::{Total, total};
+use super::{RunningSum, total};
 use crate::{
     diag::Result,
     value::{Ctx, IntoValue, List, Value, op},
@@ -22,7 +22,7 @@ op! {
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     Ok(match total(&args.list, ctx.span)? {
-        Total::Number(sum) => sum.into_value(),
-        Total::Point(sum) => sum.into_value(),
+        RunningSum::Number(sum) => sum.into_value(),
+        RunningSum::Point(sum) => sum.into_value(),
     })
 }

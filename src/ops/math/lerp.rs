@@ -1,6 +1,6 @@
 //! `lerp`: linear interpolation.
 
-use super::{Quantity, Ratio, common_dim, finite, outside};
+use super::{NumberOrPoint, Ratio, common_dim, finite, outside};
 use crate::{
     diag::Result,
     value::{Ctx, Dimension, IntoValue, Number, OnNumbers, Real, Value, op},
@@ -10,9 +10,9 @@ op! {
     /// The value at fraction `t` of the way from `a` to `b`, of numbers or points; exact at 0 and 1, and beyond them it goes on.
     lerp in Math -> Value {
         /// The value at 0.
-        a: Quantity,
+        a: NumberOrPoint,
         /// The value at 1.
-        b: Quantity,
+        b: NumberOrPoint,
         /// The fraction.
         t: Ratio,
     }
@@ -28,14 +28,14 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let Args { a, b, t: Ratio(Number { value: t, dim: dim_of_t }) } = args;
     let rest = Real::Plain(1.0).minus(&t);
     match (a, b) {
-        (Quantity::Number(a), Quantity::Number(b)) => {
+        (NumberOrPoint::Number(a), NumberOrPoint::Number(b)) => {
             let dim = common_dim([a.looked_at(), b.looked_at()].into_iter(), ctx.span)?;
             let value = finite(a.value.times(&rest).plus(&b.value.times(&t)), ctx.span)?;
             // A bare number changes no power.
             let dim = dim.times(dim_of_t).unwrap_or(dim);
             Ok(Number { value, dim }.into_value())
         }
-        (Quantity::Point(a), Quantity::Point(b)) => {
+        (NumberOrPoint::Point(a), NumberOrPoint::Point(b)) => {
             Ok(a.times(&rest).plus(&b.times(&t)).into_value())
         }
         _ => outside(ctx.span, "both values must be numbers, or both points".to_owned()),

@@ -183,12 +183,12 @@ fn warn_of_degrees(ctx: &mut Ctx<'_>, angle: Span) {
 }
 
 /// A number or a point.
-enum Quantity {
+enum NumberOrPoint {
     Number(Number<Real>),
     Point(Vector),
 }
 
-impl FromValue for Quantity {
+impl FromValue for NumberOrPoint {
     const TYPE: Type = Type::OneOf(&[Type::Number, Type::Point]);
 
     fn from_value(value: &Value, span: Span) -> std::result::Result<Self, Mismatch> {

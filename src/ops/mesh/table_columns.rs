@@ -57,13 +57,13 @@ pub(super) fn columns_of(
     }
     of_one_kind(name, items, unit).map_err(|odd| {
         Box::new(match odd {
-            Odd::Cell(found) => {
+            ColumnFault::Cell(found) => {
                 let message = format!(
                     "column `{name}` holds numbers, strings or points, but of one kind; found {found}"
                 );
                 Diagnostic::error(Code::WrongKind, span, message)
             }
-            Odd::BareAngle(found) => {
+            ColumnFault::BareAngle(found) => {
                 let message = format!("column `{name}` holds {found}");
                 Diagnostic::error(Code::UnitMismatch, span, message).hint(BARE_AND_ANGLE)
             }
@@ -72,7 +72,7 @@ pub(super) fn columns_of(
 }
 
 /// Why cells make no column.
-enum Odd {
+enum ColumnFault {
     /// A cell, or two, in words.
     Cell(String),
     /// A number without a unit and an angle, in words.
@@ -84,10 +84,10 @@ fn of_one_kind(
     name: &str,
     items: &[Value],
     unit: &str,
-) -> std::result::Result<Vec<NamedColumn>, Odd> {
+) -> std::result::Result<Vec<NamedColumn>, ColumnFault> {
     let odd = |wanted: &str| {
         let found = items.iter().find(|item| item.kind() != wanted);
-        Odd::Cell(found.map_or_else(String::new, Value::phrase))
+        ColumnFault::Cell(found.map_or_else(String::new, Value::phrase))
     };
     let numbers: Option<Vec<Number>> = items
         .iter()
@@ -129,7 +129,7 @@ fn of_one_kind(
             Ok(vec![axis('x', 0), axis('y', 1), axis('z', 2)])
         }
         Some(Value::Number(_)) => Err(odd("number")),
-        Some(other) => Err(Odd::Cell(other.phrase())),
+        Some(other) => Err(ColumnFault::Cell(other.phrase())),
         None => Ok(vec![NamedColumn::numbers(name, Vec::new())]),
     }
 }
@@ -139,11 +139,12 @@ fn numbers_column(
     name: &str,
     numbers: &[Number],
     unit: &str,
-) -> std::result::Result<NamedColumn, Odd> {
+) -> std::result::Result<NamedColumn, ColumnFault> {
     let mut common = CommonDimension::default();
     for &number in numbers {
         common.take(number).map_err(|[a, b]| {
-            let odd = if a.is_bare() || b.is_bare() { Odd::BareAngle } else { Odd::Cell };
+            let odd =
+                if a.is_bare() || b.is_bare() { ColumnFault::BareAngle } else { ColumnFault::Cell };
             odd(format!("{a} beside {b}"))
         })?;
     }

@@ -17,7 +17,7 @@ use crate::{
 
 /// Which values are better.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Better {
+pub(super) enum Extreme {
     Lower,
     Higher,
 }
@@ -33,7 +33,7 @@ pub(super) struct BestSearch {
 
 impl BestSearch {
     /// The best place.
-    pub(super) fn run(&self, ctx: &mut Ctx<'_>, better: Better) -> Result<Value> {
+    pub(super) fn run(&self, ctx: &mut Ctx<'_>, better: Extreme) -> Result<Value> {
         let conditions = self.conditions()?;
         for function in conditions.iter().chain([&self.f]) {
             if ctx.caller.is_varying(&function.value.0) {
@@ -53,7 +53,7 @@ impl BestSearch {
         }
     }
 
-    fn of_one(&self, ctx: &mut Ctx<'_>, range: &SearchRange, better: Better) -> Result<Value> {
+    fn of_one(&self, ctx: &mut Ctx<'_>, range: &SearchRange, better: Extreme) -> Result<Value> {
         let (mut dim, mut n_asked) = (CommonDimension::default(), 0_usize);
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         let sign = better.sign();
@@ -140,7 +140,7 @@ impl BestSearch {
     fn of_several(
         &self,
         ctx: &mut Ctx<'_>,
-        better: Better,
+        better: Extreme,
         conditions: &[Spanned<Callback>],
     ) -> Result<Value> {
         let unknowns = match (&self.start, &self.within) {
@@ -180,7 +180,7 @@ impl BestSearch {
     }
 }
 
-impl Better {
+impl Extreme {
     fn sign(self) -> f64 {
         match self {
             Self::Lower => 1.0,
@@ -210,7 +210,7 @@ struct Asking<'a, 'c> {
     ctx: &'a mut Ctx<'c>,
     f: &'a Spanned<Callback>,
     conditions: &'a [Spanned<Callback>],
-    better: Better,
+    better: Extreme,
     /// The dimension of the function's values.
     dim: CommonDimension,
     /// Where the conditions stand, equations first, each as often as it has numbers, and how many of them

@@ -2,7 +2,7 @@
 
 use super::{
     Within,
-    best::{BestSearch, Better},
+    best::{BestSearch, Extreme},
 };
 use crate::{
     diag::{Result, Spanned},
@@ -52,5 +52,5 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let Args { f, within, start, subject, report } = args;
     let within = within.map(|within| within.map(|within| within.0));
-    BestSearch { f, within, start, subject, is_report: report }.run(ctx, Better::Higher)
+    BestSearch { f, within, start, subject, is_report: report }.run(ctx, Extreme::Higher)
 }

@@ -100,14 +100,14 @@ fn prose(docs: &str) -> Vec<DocumentBlock> {
 }
 
 /// What tells of a run.
-pub(super) struct Telling<'a> {
+pub(super) struct ReviewedRun<'a> {
     pub(super) report: &'a Report,
     pub(super) script: &'a ScriptText,
     /// Digits behind the point of printed numbers.
     pub(super) decimals: Option<usize>,
 }
 
-impl Telling<'_> {
+impl ReviewedRun<'_> {
     fn unit(&self) -> &'static str {
         self.report.document.0.name()
     }

@@ -11,7 +11,7 @@ const MOST_INDENT: usize = 60;
 /// The lines of a script; breaks those that are too long.
 pub(super) fn lines(atoms: &mut [Atom<'_>]) -> Vec<LayoutLine> {
     let mut lines = Vec::new();
-    let mut nest = Nest::new(atoms);
+    let mut nest = OpenBracket::new(atoms);
     let mut start = 0;
     while start < atoms.len() {
         let indent = nest.indent(atoms, start);
@@ -42,7 +42,7 @@ struct OpenGroup {
 }
 
 /// The open brackets.
-struct Nest {
+struct OpenBracket {
     open: Vec<OpenGroup>,
     /// For each atom the next one that is no comment.
     next: Vec<usize>,
@@ -50,7 +50,7 @@ struct Nest {
     last: Option<usize>,
 }
 
-impl Nest {
+impl OpenBracket {
     fn new(atoms: &[Atom<'_>]) -> Self {
         let mut next = vec![atoms.len(); atoms.len()];
         for at in (0..atoms.len()).rev() {

@@ -54,7 +54,7 @@ pub(super) struct MovingCuts<'a> {
 }
 
 /// Both sides of a place, with the number of what goes another way.
-pub(super) struct Cut {
+pub(super) struct BranchChange {
     pub(super) sides: [(f64, Found); 2],
     pub(super) number: usize,
 }
@@ -92,7 +92,7 @@ impl MovingCuts<'_> {
 
     fn gain_at(
         &self,
-        cut: &Cut,
+        cut: &BranchChange,
         idx: usize,
         ask: &mut dyn FnMut(Real) -> Result<Found>,
     ) -> Result<Vec<f64>> {
@@ -154,7 +154,7 @@ impl MovingCuts<'_> {
     /// places that carry some, else from the side that is known farther.
     fn slope(
         &self,
-        cut: &Cut,
+        cut: &BranchChange,
         idx: usize,
         ask: &mut dyn FnMut(Real) -> Result<Found>,
     ) -> Result<Option<f64>> {
@@ -164,7 +164,11 @@ impl MovingCuts<'_> {
         }
     }
 
-    fn exact_slope(&self, cut: &Cut, ask: &mut dyn FnMut(Real) -> Result<Found>) -> Option<f64> {
+    fn exact_slope(
+        &self,
+        cut: &BranchChange,
+        ask: &mut dyn FnMut(Real) -> Result<Found>,
+    ) -> Option<f64> {
         let (at, before) = &cut.sides[0];
         let span = before.switches.get(cut.number).filter(|_| self.can_move)?.span;
         // At such a place more may be compared that carries derivatives.
@@ -182,7 +186,7 @@ impl MovingCuts<'_> {
 
     fn slope_by_differences(
         &self,
-        cut: &Cut,
+        cut: &BranchChange,
         idx: usize,
         ask: &mut dyn FnMut(Real) -> Result<Found>,
     ) -> Result<Option<f64>> {
@@ -233,7 +237,7 @@ pub(super) fn unknown<T>(span: Span, at: f64) -> Result<T> {
 pub(super) fn between(
     [low, high]: [&SeenPlace; 2],
     ask: &mut dyn FnMut(Real) -> Result<Found>,
-) -> Result<Option<(Cut, SeenPlace)>> {
+) -> Result<Option<(BranchChange, SeenPlace)>> {
     let first = ask(Real::Plain(low.at))?;
     let sides = [(low.at, first), (high.at, ask(Real::Plain(high.at))?)];
     let is_first = |one: &Found, other: &Found| is_like(&one.switches, &other.switches);
@@ -242,5 +246,5 @@ pub(super) fn between(
     let mut pairs = before.switches.iter().zip(&behind.switches);
     let number = pairs.position(|(a, b)| !a.is_like(b)).unwrap_or(before.switches.len());
     let behind = SeenPlace { at: *at, switches: behind.switches.clone() };
-    Ok(Some((Cut { sides, number }, behind)))
+    Ok(Some((BranchChange { sides, number }, behind)))
 }
