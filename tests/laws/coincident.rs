@@ -9,16 +9,13 @@ use virote_kernel::{
     glam::{DAffine3, DQuat, DVec3},
 };
 
-use crate::crossing_turned::{fractions, turn};
+use crate::crossing_turned::{fractions, orientations, turn};
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
-/// Orientations of each case.
-const N_PLACES: u64 = 40;
-
 /// A place, its scale, and the tolerance there.
 fn placements() -> impl Iterator<Item = (u64, DAffine3, f64, Tolerance)> {
-    (0..N_PLACES).map(|n| {
+    (0..orientations()).map(|n| {
         let scale = [1.0, 1e-3, 1e3][n as usize % 3];
         let [x, y, z, ..] = fractions(n);
         let place = DAffine3::from_translation(DVec3::new(x, -2.0 * y, z) * scale)

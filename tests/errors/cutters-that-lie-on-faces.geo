@@ -1,0 +1,13 @@
+surface sheet = plane_patch((-2, -2), (4, 0), (0, 4))
+surface saddle = bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1))
+solid roof = extrude(region(polyline([(-2, 0), (2, 0), (1, 0, 2), (0, 0, 1), (-1, 0, 2)], closed = true)), (0, 3, 0))
+
+print split(sheet, by = plane_patch((-3, -3), (6, 0), (0, 6)))
+print split(sheet, by = flip(sheet))
+print split(sheet, by = plane_patch((3, -2), (4, 0), (0, 4)))
+print split(sheet, by = solid(box((-3, -3), (6, 6, 1))))
+face a = trim(sheet, by = solid(box((-3, -3), (6, 6, 1))), keep = "outside")
+print trim(sheet, by = XY, keep = "below")
+print split(saddle, by = bilinear((0, 0), (0, 1), (1, 0), (1, 1, 1.00000001)))
+print cut(roof, plane((0, 0, 1), (0, 0, 1)), keep = "above")
+print volume(solid(box((0, 0), (1, 1, 1))), accuracy = 1e-18)
