@@ -13,9 +13,9 @@ use crate::crossing_turned::{fractions, orientations, turn};
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
-/// A place, its scale, and the tolerance there.
+/// A place, its scale, and the tolerance there, for a quarter of the orientations.
 fn placements() -> impl Iterator<Item = (u64, DAffine3, f64, Tolerance)> {
-    (0..orientations()).map(|n| {
+    (0..orientations().div_ceil(4)).map(|n| {
         let scale = [1.0, 1e-3, 1e3][n as usize % 3];
         let [x, y, z, ..] = fractions(n);
         let place = DAffine3::from_translation(DVec3::new(x, -2.0 * y, z) * scale)
@@ -102,9 +102,7 @@ fn a_box_that_stands_on_a_sheet_covers_its_base() {
 #[test]
 fn a_box_over_the_corner_of_a_sheet_covers_what_is_common() {
     let base = bar(DVec3::new(-1.0, -1.0, 0.0), [3.0, 3.0, 1.0]);
-    check(&sheet([0.0, 0.0], [4.0, 3.0], 0.0), &base, [(4.0, 1), (8.0, 1)], |_| {
-        DAffine3::IDENTITY
-    });
+    check(&sheet([0.0, 0.0], [4.0, 3.0], 0.0), &base, [(4.0, 1), (8.0, 1)], |_| DAffine3::IDENTITY);
 }
 
 #[test]
@@ -196,15 +194,13 @@ fn gaps_are_within_the_tolerance_or_tell() {
     let wall = tube([1.0, 1.0], 0.0, 4.0);
     let (mut n_right, mut n_all) = (0, 0);
     for (n, place, scale, tolerance) in placements() {
-        for digits in [9.0, 8.0, 7.0, 6.3, 6.0, 5.5, 5.0, 4.0] {
+        for digits in [9.0, 7.0, 6.3, 6.0, 5.5, 4.0] {
             for sign in [1.0, -1.0] {
                 let gap = sign * 10.0_f64.powf(-digits);
                 let sunk = place * DAffine3::from_translation(DVec3::Z * gap);
                 let wider = place * DAffine3::from_scale(DVec3::new(1.0 - gap, 1.0 - gap, 1.0));
-                let cases = [
-                    (&plate, &base, sunk, 2.0, 36.0),
-                    (&wall, &shaft, wider, 4.0 * PI, 8.0 * PI),
-                ];
+                let cases =
+                    [(&plate, &base, sunk, 2.0, 36.0), (&wall, &shaft, wider, 4.0 * PI, 8.0 * PI)];
                 for (surface, solid, moved, covered, all) in cases {
                     let face = whole(surface.transformed(&place), tolerance);
                     let solid = solid.transformed(&moved).unwrap();
@@ -258,7 +254,10 @@ fn splines_that_nearly_coincide_are_refused_with_the_place() {
     };
     let face = whole(saddle(1.0), TOLERANCE);
     let found = face.split(&[Cutter::Surface(Arc::new(saddle(1.0 + 1e-8)))], TOLERANCE);
-    assert!(matches!(found, Err(GeomError::Face(FaceError::RunsTogether { index: 0, .. }))), "{found:?}");
+    assert!(
+        matches!(found, Err(GeomError::Face(FaceError::RunsTogether { index: 0, .. }))),
+        "{found:?}"
+    );
     // A part of the very surface is no other one.
     let part = face.split(&[Cutter::Plane(Frame::YZ.at(DVec3::X * 0.5))], TOLERANCE).unwrap();
     let parts = face.split(&[Cutter::Face(Arc::new(part[0].clone()))], TOLERANCE).unwrap();

@@ -43,7 +43,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`SolidError::UncertainCut`] where the volume is another; [`SolidError::ThinCut`] where an edge is hardly
-    /// further from the plane than the tolerance, [`SolidError::ThinTip`] where a place is to which a face narrows;
+    /// further from the plane than the tolerance, [`SolidError::ThinTip`] where a place is to which a face narrows,
+    /// [`SolidError::ThinSection`] where the solid is hardly thicker than that;
     /// those of [`Face::split`] but for a plane that misses, and of [`Self::capped`].
     pub fn cut(
         &self,

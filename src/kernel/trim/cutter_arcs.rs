@@ -37,7 +37,9 @@ impl Face {
                 Ok(faces.iter().map(of_face).collect::<Result<Vec<_>, _>>()?.concat())
             }
             Cutter::Surface(other) => self.arcs_of_surface(other, None, index, tolerance),
-            Cutter::Face(face) => self.arcs_of_surface(face.surface(), Some(face), index, tolerance),
+            Cutter::Face(face) => {
+                self.arcs_of_surface(face.surface(), Some(face), index, tolerance)
+            }
         }
     }
 

@@ -8,10 +8,7 @@ use glam::{DAffine3, DMat3, DVec3};
 use super::{Cutter, Face, FaceError, lift::affine_map, pull::COMPARED};
 use crate::{
     GeomError, IntersectionError, Interval, NurbsCurve, NurbsSurface, RegionSide, Tolerance,
-    ceiling::SHARED_STRETCHES,
-    frame::norm,
-    region::smooth_arcs,
-    tolerance::EDGE_SHARE,
+    ceiling::SHARED_STRETCHES, frame::norm, region::smooth_arcs, tolerance::EDGE_SHARE,
 };
 
 impl Face {
@@ -34,7 +31,8 @@ impl Face {
     ) -> Result<Vec<NurbsCurve>, GeomError> {
         let edges = other.edges(tolerance)?;
         if let Some(map) = self.from_space() {
-            let arcs = edges.iter().map(|edge| smooth_arcs(&edge.transformed(&map), tolerance.angle));
+            let arcs =
+                edges.iter().map(|edge| smooth_arcs(&edge.transformed(&map), tolerance.angle));
             return Ok(arcs.collect::<Result<Vec<_>, _>>()?.concat());
         }
         let mut parts = Vec::new();
@@ -109,7 +107,8 @@ impl Face {
         let distance = self.distance(tolerance);
         let is_on = |surface: &NurbsSurface, face: Option<&Self>, point: DVec3| {
             let foot = surface.closest(point);
-            foot.distance <= distance && face.is_none_or(|face| face.has(foot.parameters, tolerance))
+            foot.distance <= distance
+                && face.is_none_or(|face| face.has(foot.parameters, tolerance))
         };
         let is_covered = |&point: &DVec3| match cutter {
             Cutter::Curve(_) | Cutter::Plane(_) => false,

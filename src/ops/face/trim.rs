@@ -25,8 +25,6 @@ op! {
         keep: Spanned<Keep>,
     }
     example "area(trim(sphere((0, 0), 1), by = plane((0, 0, 0.5), (0, 0, 1)), keep = \"above\")) ~= pi" => "true";
-    example "area(trim(plane_patch((0, 0), (4, 0), (0, 4)), by = cylinder((2, 2, -1), 1, 2), keep = (0, 0))) ~= 16 - pi" => "true";
-    example "area(trim(plane_patch((-2, -2), (4, 0), (0, 4)), by = solid(sphere((0, 0), 1)), keep = \"inside\")) ~= pi" => "true";
     example "[for f in trim(cylinder((0, 0), 1, 4), by = solid(cylinder((0, 0, 1), 1, 2), cap = true), keep = \"outside\"): area(f)] ~= [2*pi, 2*pi]" => "true";
     example "trim(sphere((0, 0), 1), by = plane((0, 0, 5), (0, 0, 1)), keep = \"above\")" => "none";
     refuses "trim(sphere((0, 0), 1), by = XY, keep = (0, 0, 3))" => "E0607: (0, 0, 3) is 2 from the face: it tells no part of it";

@@ -98,6 +98,7 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::UnclearSide { .. }
         | SolidError::ThinCut { .. }
         | SolidError::ThinTip { .. }
+        | SolidError::ThinSection { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }

@@ -104,6 +104,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         SolidError::ThinTip { .. } => {
             "move the plane through that place or clearly away from it, or state a smaller `tolerance` at the top of the script"
         }
+        SolidError::ThinSection { .. } => {
+            "move the plane to where the solid is thicker, or state a smaller `tolerance` at the top of the script"
+        }
         SolidError::ThinCut { .. } => {
             "move the plane through the edge or clearly away from it, or state a smaller `tolerance` at the top of the script"
         }
