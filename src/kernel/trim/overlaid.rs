@@ -30,7 +30,7 @@ impl Face {
         tolerance: Tolerance,
     ) -> Result<Vec<NurbsCurve>, GeomError> {
         let edges = other.edges(tolerance)?;
-        if let Some(map) = self.from_space() {
+        if let Some(map) = self.map_from_space() {
             let arcs =
                 edges.iter().map(|edge| smooth_arcs(&edge.transformed(&map), tolerance.angle));
             return Ok(arcs.collect::<Result<Vec<_>, _>>()?.concat());
@@ -43,7 +43,7 @@ impl Face {
     }
 
     /// The map from space to its plane of parameters, straight along the normal, where the surface is even everywhere.
-    fn from_space(&self) -> Option<DAffine3> {
+    fn map_from_space(&self) -> Option<DAffine3> {
         let map = affine_map(&self.plane.surface)?;
         let [along_u, along_v] = [map.matrix3.x_axis, map.matrix3.y_axis];
         let normal = along_u.cross(along_v);
