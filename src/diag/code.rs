@@ -156,6 +156,8 @@ codes! {
 
     NotManifold "E0613" "a body that touches itself"
         "A body has one inside around each of its points: two cubes that share no more than an edge or a corner are two bodies, and no one body. So are faces that go through one another: those of a body meet in their edges alone. The message tells where. Move one of them by more than the document's tolerance, so that they overlap or keep apart, or keep them as two."
+    RunTogether "E0614" "surfaces that run together"
+        "Two surfaces lie within the document's tolerance of one another in an area, but are not parts of one surface: no curve is where they cross, and where the one leaves the other depends on every rounding. Of planes, cylinders, cones, spheres and tori that are one, and of parts of one surface, the borders tell what they have in common. Others must be made of one surface, or cross clearly. The message tells where."
     WithinTolerance "E0615" "a part that lies within the tolerance"
         "Within the document's tolerance things are one: a strip that is narrower is neither there nor gone, and borders that run so close to one another have no certain order. Let them coincide exactly (the same points, the same curve), or keep them apart by more; or state a smaller `tolerance` at the top of the script."
     NoRoom "E0616" "no room for a fillet"

@@ -9,6 +9,7 @@ mod basis;
 mod bodies;
 mod breakers;
 mod certificate;
+mod coincident;
 mod construct;
 mod constructors;
 mod coons;

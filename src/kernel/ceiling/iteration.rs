@@ -207,3 +207,6 @@ pub(crate) const KNOT_STEPS: usize = 40;
 
 /// Halvings of a piece of a curve beside a place where it stands still, where it has no tangent to look at.
 pub(crate) const DUAL_HALVINGS: usize = 20;
+
+/// Finer tolerances within which the edges of a solid are compared for its volume.
+pub(crate) const VOLUME_REFINEMENTS: usize = 16;

@@ -3,17 +3,23 @@
 //! Such a plane and the one through the edge there are the same within the tolerance, but the first leaves slivers
 //! between itself and the edge, of which no side can be told. Beside the tip of a cone, which is less than the tolerance
 //! across there, nothing tells where the plane cuts it: the plane through the tip is taken at once, and so is that
-//! through an edge which is within the tolerance from end to end.
+//! through an edge which is within the tolerance from end to end. Where the solid itself is hardly thicker than the
+//! tolerance, as a knife near its edge, that is told.
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::{Solid, SolidError, box_around, cut::heights};
 use crate::{
-    FaceError, Frame, GeomError, Tolerance,
+    FaceError, Frame, GeomError, NurbsCurve, Surface, Tolerance,
     ceiling::RIMS_BESIDE_PLANE,
     sorting::sort_by,
     tolerance::{EXACT_RELATIVE, THIN_CUT, TIP_CUT},
 };
+
+/// Where along the curves of a cut the solid's thickness is looked at.
+const SECTION_LOOKS: [f64; 3] = [0.23, 0.5, 0.77];
 
 /// Where an edge runs along a plane, or ends, or a face narrows to a point.
 #[derive(Clone, Copy, Debug)]
@@ -35,9 +41,24 @@ impl Solid {
     /// along it within the tolerance somewhere.
     ///
     /// # Errors
-    /// Those of the operation; [`SolidError::ThinCut`] instead where an edge is hardly further than the tolerance, and
-    /// [`SolidError::ThinTip`] where such a place is.
+    /// Those of the operation; [`SolidError::ThinCut`] instead where an edge is hardly further than the tolerance,
+    /// [`SolidError::ThinTip`] where such a place is, and [`SolidError::ThinSection`] where the solid is hardly thicker.
     pub(super) fn at_plane_or_rim<T>(
+        &self,
+        plane: Frame,
+        tolerance: Tolerance,
+        operation: impl Fn(Frame) -> Result<T, GeomError>,
+    ) -> Result<T, GeomError> {
+        match self.at_plane_or_beside(plane, tolerance, operation) {
+            Err(error) if may_be_thin(&error) => {
+                let thin = self.thin_section(plane, tolerance);
+                Err(thin.map_or(error, Into::into))
+            }
+            found => found,
+        }
+    }
+
+    fn at_plane_or_beside<T>(
         &self,
         plane: Frame,
         tolerance: Tolerance,
@@ -75,6 +96,48 @@ impl Solid {
                 false => SolidError::ThinCut { point, thickness, tolerance }.into(),
             }
         }))
+    }
+
+    /// Where the curves in which a plane cuts the faces run beside one another, hardly further apart than the
+    /// tolerance: as near the tip of a knife's edge. None where they do not, or are not known.
+    fn thin_section(&self, plane: Frame, tolerance: Tolerance) -> Option<SolidError> {
+        let around = box_around(&self.faces);
+        let distance = tolerance.distance_for(around.diagonal());
+        let (least, most) = (EXACT_RELATIVE * around.magnitude(), THIN_CUT * distance);
+        let mut curves: Vec<NurbsCurve> = Vec::new();
+        for face in &self.faces {
+            GeomError::go_on(1).ok()?;
+            let [lowest, highest] = heights(face.surface().bounds(), plane);
+            if lowest <= 0.0 && 0.0 <= highest {
+                let surface = Surface::Nurbs(Arc::clone(face.surface()));
+                let cut = surface.section(plane, tolerance).ok()?.curves;
+                curves.extend(face.clipped(&cut, tolerance).ok()?);
+            }
+        }
+        curves.retain(|curve| most < curve.bounds().diagonal());
+        let mut thinnest: Option<(f64, DVec3)> = None;
+        for (i, curve) in curves.iter().enumerate() {
+            GeomError::go_on(curves.len()).ok()?;
+            for t in SECTION_LOOKS.map(|at| curve.domain().at(at)) {
+                let point = curve.point_at(t);
+                let others = curves
+                    .iter()
+                    .enumerate()
+                    .filter(|&(k, other)| k != i && other.bounds().distance(point) <= most);
+                for (_, other) in others {
+                    let gap = other.closest(point, distance).distance;
+                    let is_thinner = thinnest.is_none_or(|(known, _)| gap < known);
+                    if least < gap && gap <= most && is_thinner {
+                        thinnest = Some((gap, point));
+                    }
+                }
+            }
+        }
+        thinnest.map(|(thickness, point)| SolidError::ThinSection {
+            point,
+            thickness,
+            tolerance: distance,
+        })
     }
 
     /// A place of each edge that is within a distance of a plane from end to end.
@@ -170,6 +233,15 @@ impl Solid {
         places.dedup_by(|next, known| (next.height - known.height).abs() <= rounding);
         Ok(places)
     }
+}
+
+/// Whether an error may come from a solid that is hardly thicker than the tolerance where it is cut.
+const fn may_be_thin(error: &GeomError) -> bool {
+    is_of_slivers(error, false)
+        || matches!(
+            error,
+            GeomError::Face(FaceError::AcrossPlane { .. } | FaceError::NearEdges { .. })
+        )
 }
 
 /// Whether an error may come from parts that are thinner than the tolerance.

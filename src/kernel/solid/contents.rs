@@ -1,7 +1,12 @@
 //! What a solid is made of, counted and measured.
 
 use super::{EdgeAngles, Solid, SolidEdge, box_around};
-use crate::{GeomError, SurfaceCurve, Tolerance};
+use crate::{
+    Face, GeomError, SurfaceCurve, Tolerance, ceiling::VOLUME_REFINEMENTS, mesh::check_rounding,
+};
+
+/// Tolerances of which each is so many times finer than the one before, where edges are compared for a better bound.
+const FINER: f64 = 10.0;
 
 /// What a solid is made of.
 ///
@@ -72,8 +77,7 @@ impl Solid {
             least_angle = least_angle.into_iter().chain(sharpest).reduce(f64::min);
         }
         let volume = self.volume_mass()?;
-        let widest = 2.0 * tolerance.distance_for(around.diagonal());
-        let strips = widest * lengths.iter().sum::<f64>() * 0.5 * around.diagonal() / 3.0;
+        let strips = tolerance.distance_for(around.diagonal()) * self.flux_beside(&lengths);
         Ok(SolidContents {
             n_faces: self.faces.len(),
             n_edges: lengths.len(),
@@ -89,6 +93,64 @@ impl Solid {
             deviation,
             welded: topology.welded,
         })
+    }
+
+    /// A bound of how far the volume may be off, no better than wanted: that of [`SolidContents`], or of finer tolerances
+    /// as long as the faces close within these as well.
+    ///
+    /// ```
+    /// use virote_kernel::{Frame, NurbsCurve, Region, Solid, Tolerance, glam::DVec3};
+    ///
+    /// let [o, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    /// let triangle = Region::new(&NurbsCurve::polyline(&[o, x, y, o])?, &[], Tolerance::DEFAULT)?;
+    /// let prism = Solid::extruded(&triangle, DVec3::Z, Tolerance::DEFAULT)?;
+    /// assert!(1e-6 < prism.contents(Tolerance::DEFAULT)?.volume_error);
+    /// assert!(prism.volume_error_within(1e-10, Tolerance::DEFAULT)? <= 1e-10);
+    /// # Ok::<(), virote_kernel::GeomError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`] and [`Self::volume_mass`]; `GeomError::Ended`.
+    pub fn volume_error_within(&self, wanted: f64, tolerance: Tolerance) -> Result<f64, GeomError> {
+        let around = box_around(&self.faces);
+        let lengths: Vec<f64> = self
+            .edges(tolerance)?
+            .iter()
+            .map(|edge| edge.curve.length(edge.curve.domain()))
+            .collect();
+        let (volume, beside) = (self.volume_mass()?, self.flux_beside(&lengths));
+        let of_integral = volume.relative_error * volume.amount;
+        let error = |distance: f64| of_integral + distance * beside;
+        let closes = |distance: f64| -> Result<bool, GeomError> {
+            GeomError::go_on(1)?;
+            let is_told = check_rounding(distance, around.magnitude()).is_ok();
+            let finer = tolerance.with_distance(distance);
+            Ok(is_told && Face::enclosed_volume(&self.faces, finer).is_ok())
+        };
+        let mut known = tolerance.distance_for(around.diagonal());
+        // Half of it, so that rounding does not matter.
+        let enough = 0.5 * (wanted - of_integral) / beside;
+        if error(known) <= wanted {
+            return Ok(error(known));
+        }
+        if 0.0 < enough && closes(enough)? {
+            return Ok(error(enough));
+        }
+        for _ in 0..VOLUME_REFINEMENTS {
+            let finer = known / FINER;
+            if finer <= enough || !closes(finer)? {
+                break;
+            }
+            known = finer;
+        }
+        Ok(error(known))
+    }
+
+    /// The most that the flux through strips beside edges of these lengths is for each unit of the distance within
+    /// which faces close there.
+    fn flux_beside(&self, lengths: &[f64]) -> f64 {
+        let reach = 0.5 * box_around(&self.faces).diagonal();
+        2.0 * lengths.iter().sum::<f64>() * reach / 3.0
     }
 
     /// A bound of how far an edge is from both of its faces; none where there is none.

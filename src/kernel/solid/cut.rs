@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral,
-    trim::amid,
+    tolerance::THIN_CUT, trim::amid,
 };
 
 /// The faces of a solid beside a plane.
@@ -43,7 +43,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`SolidError::UncertainCut`] where the volume is another; [`SolidError::ThinCut`] where an edge is hardly
-    /// further from the plane than the tolerance, [`SolidError::ThinTip`] where a place is to which a face narrows;
+    /// further from the plane than the tolerance, [`SolidError::ThinTip`] where a place is to which a face narrows,
+    /// [`SolidError::ThinSection`] where the solid is hardly thicker than that;
     /// those of [`Face::split`] but for a plane that misses, and of [`Self::capped`].
     pub fn cut(
         &self,
@@ -75,7 +76,10 @@ impl Solid {
         let within = tolerance.with_distance(distance);
         let caps = plane_caps(&faces, tolerance)?;
         if let Some(point) = touching(&faces, &caps, contacts, plane, within)? {
-            return Err(SolidError::TouchesPlane { point }.into());
+            return Err(match edge_along(&faces, point, plane, within)? {
+                Some(ends) => SolidError::TouchesAlong { ends }.into(),
+                None => SolidError::TouchesPlane { point }.into(),
+            });
         }
         let has_knots = caps.has_knots;
         let side = Self::closed_by(&faces, caps, tolerance)?;
@@ -220,4 +224,33 @@ fn touching(
     let is_within = |point: &DVec3| side_of_caps(*point) == Some(RegionSide::Inside);
     let mut of_edges = caps.edges.iter().flat_map(|edge| edge.places_in(plane, tolerance));
     Ok(of_edges.find(is_within))
+}
+
+/// The ends of an edge of faces that lies in a plane all along and goes through a point.
+///
+/// # Errors
+/// Those of [`Face::edges`].
+fn edge_along(
+    faces: &[Face],
+    point: DVec3,
+    plane: Frame,
+    tolerance: Tolerance,
+) -> Result<Option<[DVec3; 2]>, GeomError> {
+    let distance = tolerance.distance;
+    for face in faces {
+        GeomError::go_on(1)?;
+        if distance < face.surface().bounds().distance(point) {
+            continue;
+        }
+        for edge in face.edges(tolerance)? {
+            let is_within = |p: DVec3| (p - plane.origin()).dot(plane.z()).abs() <= distance;
+            let goes_through = edge.bounds().distance(point) <= distance
+                && edge.closest(point, distance).distance <= distance;
+            let is_long = THIN_CUT * distance < edge.bounds().diagonal();
+            if goes_through && is_long && edge.points().into_iter().all(is_within) {
+                return Ok(Some([edge.start(), edge.end()]));
+            }
+        }
+    }
+    Ok(None)
 }

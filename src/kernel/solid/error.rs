@@ -88,6 +88,12 @@ pub enum SolidError {
         few_digits(*thickness), place(*point), few_digits(*tolerance)
     )]
     ThinTip { point: DVec3, thickness: f64, tolerance: f64 },
+    /// A plane that cuts where the solid is hardly thicker than the tolerance.
+    #[error(
+        "the plane cuts the solid where it is {} thick, at {}: too thin for the tolerance {}",
+        few_digits(*thickness), place(*point), few_digits(*tolerance)
+    )]
+    ThinSection { point: DVec3, thickness: f64, tolerance: f64 },
     /// A side of a plane that touches itself in the plane.
     #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },

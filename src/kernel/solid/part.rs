@@ -4,7 +4,7 @@ use super::{Solid, SolidError};
 use crate::{Cutter, Face, FaceError, GeomError, RegionSide, Tolerance};
 
 impl Solid {
-    /// The parts of a face that are inside of the solid, or those outside.
+    /// The parts of a face that are inside of the solid, or on its border, or those outside.
     ///
     /// ```
     /// use std::{f64::consts::PI, sync::Arc};
@@ -32,7 +32,9 @@ impl Solid {
     ) -> Result<Vec<Face>, GeomError> {
         let cutter = Cutter::Faces(self.faces().into());
         let parts = match face.split(&[cutter], tolerance) {
-            Err(GeomError::Face(FaceError::Misses { .. })) => vec![face.clone()],
+            Err(GeomError::Face(FaceError::Misses { .. } | FaceError::Covered { .. })) => {
+                vec![face.clone()]
+            }
             found => found?,
         };
         let mut kept = Vec::new();
@@ -44,7 +46,7 @@ impl Solid {
         Ok(kept)
     }
 
-    /// Whether a face that its border does not cross is inside.
+    /// Whether a face that its border does not cross is inside, or lies on that.
     fn has_within(&self, face: &Face, tolerance: Tolerance) -> Result<bool, GeomError> {
         let places = face.some_places(tolerance);
         let mut found = [false; 2];
@@ -56,6 +58,7 @@ impl Solid {
             }
         }
         match found {
+            [false, false] if face.has_inner_place(&places, tolerance) => Ok(true),
             [is_outside, is_inside] if is_outside != is_inside => Ok(is_inside),
             _ => {
                 let point = places.first().copied().unwrap_or_default();

@@ -202,6 +202,11 @@ impl Division {
         })
     }
 
+    /// How many parts there are.
+    pub(super) fn n_parts(&self) -> usize {
+        self.groups().len()
+    }
+
     /// All parts.
     pub(super) fn all(&self) -> Vec<Vec<Region>> {
         self.groups().iter().map(|cells| self.regions(cells)).collect()

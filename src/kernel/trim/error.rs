@@ -52,9 +52,18 @@ pub enum FaceError {
     /// A cutter that does not reach the face.
     #[error("cutter [{index}] does not meet the face")]
     Misses { index: usize },
-    /// A cutter that lies along the face in an area.
+    /// A cutter that lies on all of the face.
+    #[error("cutter [{index}] lies on all of the face, so that it divides nothing")]
+    Covered { index: usize },
+    /// A plane in which the face lies.
     #[error("cutter [{index}] runs along the surface near {}", place(*point))]
     RunsAlong { index: usize, point: DVec3 },
+    /// A surface that has an area in common with that of the face without being of one carrier with it.
+    #[error(
+        "the face and cutter [{index}] run together near {} without being parts of one surface",
+        place(*point)
+    )]
+    RunsTogether { index: usize, point: DVec3 },
     /// A place that tells no part.
     #[error("{} is {} from the face: it tells no part of it", place(*point), few_digits(*distance))]
     NoPartAt { point: DVec3, distance: f64 },

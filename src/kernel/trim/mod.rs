@@ -4,8 +4,8 @@
 //! `plane` of parameters that is stretched so that its lengths are no shorter than those on the surface:
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
-//! `split` those within loops in space and the parts into which cutters divide a face, by the arcs that
-//! `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, where surfaces narrow to a point by `pinch`, `measure` integrals over faces, `strip` what those of others go
+//! `split` those within loops in space and the parts into which cutters divide a face, by the arcs of `cutter_arcs`, or of
+//! `overlaid` where cutters lie on the face, that `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, where surfaces narrow to a point by `pinch`, `measure` integrals over faces, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
 //! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
 //! `clip` what of curves lies on them, `beside` what is at a distance beside them, `continuity` how they go on in others, `shell` what they enclose together where `border_edge` finds that they are
@@ -18,6 +18,7 @@ mod border_edge;
 mod clip;
 mod conic;
 mod continuity;
+mod cutter_arcs;
 mod division;
 mod edge;
 mod error;
@@ -29,6 +30,7 @@ mod lift;
 mod loops;
 mod measure;
 mod mesh;
+mod overlaid;
 mod pinch;
 mod plane;
 mod pole;

@@ -1,19 +1,15 @@
 //! Faces divided by curves on them, planes and surfaces.
 
-use std::{cell::Cell, sync::Arc};
+use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::{
     Face, FaceError,
     division::Division,
-    loops::place_of,
-    pull::{ArcParameters, Height, MOST_BESIDE, arcs_on_surface},
+    pull::{ArcParameters, MOST_BESIDE, arcs_on_surface},
 };
-use crate::{
-    Frame, GeomError, IntersectionError, NurbsCurve, NurbsSurface, PictureError, RegionSide,
-    Surface, SurfaceClosestPoint, Tolerance,
-};
+use crate::{Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide, Tolerance};
 
 /// What divides a face.
 ///
@@ -78,9 +74,13 @@ impl Face {
 
     /// All parts into which cutters divide the face, in an order that depends on the face alone.
     ///
+    /// A cutter on the plane, cylinder, cone, sphere or torus of the face, or on its own surface, divides what it lies
+    /// on from what it does not.
+    ///
     /// # Errors
     /// [`FaceError::Misses`] of a cutter that does not meet the face, [`FaceError::EndsInside`] of one
-    /// that divides nothing, [`FaceError::RunsAlong`] of one that shares an area with it,
+    /// that divides nothing, [`FaceError::Covered`] of one that lies on all of it, [`FaceError::RunsAlong`] of a plane
+    /// in which it lies, [`FaceError::RunsTogether`] of a surface that shares an area with its own and is another,
     /// [`FaceError::OffSurface`] of a curve beside it; those of `Surface::intersections`.
     pub fn split(&self, cutters: &[Cutter], tolerance: Tolerance) -> Result<Vec<Self>, GeomError> {
         let division = self.divided(cutters, tolerance)?;
@@ -91,13 +91,18 @@ impl Face {
                 let height = part.beside(*plane, tolerance)?;
                 // What is cut off may be as thin.
                 if parts.len() == 1 && height.abs() <= self.distance(tolerance) {
-                    let places = part.some_places(tolerance);
-                    let point = places.first().copied().unwrap_or(plane.origin());
-                    return Err(FaceError::RunsAlong { index, point }.into());
+                    return Err(part.along_plane(*plane, index, tolerance).into());
                 }
             }
         }
         Ok(parts)
+    }
+
+    /// What a face that lies in a plane tells of it.
+    fn along_plane(&self, plane: Frame, index: usize, tolerance: Tolerance) -> FaceError {
+        let places = self.some_places(tolerance);
+        let point = places.first().copied().unwrap_or(plane.origin());
+        FaceError::RunsAlong { index, point }
     }
 
     fn with_parts(&self, division: &Division) -> Vec<Self> {
@@ -136,17 +141,23 @@ impl Face {
         }
     }
 
-    /// The parts on the side of a plane to which its normal points, or on the other one.
+    /// The parts on the side of a plane to which its normal points, or on the other one; none where nothing is there.
     ///
     /// # Errors
-    /// Those of [`Self::split`] but for a plane that misses the face.
+    /// Those of [`Self::split`] but for a plane that misses the face; [`FaceError::RunsAlong`] of one in which it lies.
     pub fn beside_plane(
         &self,
         plane: Frame,
         is_above: bool,
         tolerance: Tolerance,
     ) -> Result<Vec<Self>, GeomError> {
-        let parts = self.divided_by_plane(plane, tolerance)?.parts.into_iter();
+        let parts = self.divided_by_plane(plane, tolerance)?.parts;
+        if let [(part, height)] = &parts[..]
+            && height.abs() <= self.distance(tolerance)
+        {
+            return Err(part.along_plane(plane, 0, tolerance).into());
+        }
+        let parts = parts.into_iter();
         Ok(parts.filter(|&(_, height)| (0.0 < height) == is_above).map(|(part, _)| part).collect())
     }
 
@@ -238,12 +249,33 @@ impl Face {
         for (index, cutter) in cutters.iter().enumerate() {
             let found = self.arcs_of(cutter, index, tolerance)?;
             if found.is_empty() {
-                return Err(FaceError::Misses { index }.into());
+                return Err(self.undivided(cutter, index, tolerance).into());
             }
             cutter_of.resize(cutter_of.len() + found.len(), index);
             arcs.extend(found);
         }
-        self.divided_along(&arcs, &cutter_of, cutters.len(), tolerance)
+        let division = match self.divided_along(&arcs, &cutter_of, cutters.len(), tolerance) {
+            Err(GeomError::Face(FaceError::Misses { index })) => {
+                return Err(self.undivided(&cutters[index], index, tolerance).into());
+            }
+            found => found?,
+        };
+        if division.n_parts() == 1 {
+            // What lies on all of it may run along its border.
+            let covers = |cutter: &Cutter| self.is_covered_by(cutter, tolerance);
+            if let Some(index) = cutters.iter().position(covers) {
+                return Err(FaceError::Covered { index }.into());
+            }
+        }
+        Ok(division)
+    }
+
+    /// Why a cutter divides nothing.
+    fn undivided(&self, cutter: &Cutter, index: usize, tolerance: Tolerance) -> FaceError {
+        match self.is_covered_by(cutter, tolerance) {
+            true => FaceError::Covered { index },
+            false => FaceError::Misses { index },
+        }
     }
 
     /// What arcs of several cutters, each with the number of its own, make of it.
@@ -276,128 +308,4 @@ impl Face {
         }
         Ok(division)
     }
-
-    /// The arcs of a cutter in the plane of parameters, over the whole surface.
-    fn arcs_of(
-        &self,
-        cutter: &Cutter,
-        index: usize,
-        tolerance: Tolerance,
-    ) -> Result<Vec<NurbsCurve>, GeomError> {
-        let surface = Surface::Nurbs(Arc::clone(&self.plane.surface));
-        let limits = [self.distance(tolerance), tolerance.angle];
-        let runs_along = self.runs_along(index);
-        let pulled = |curves: &[NurbsCurve], height: Option<&Height<'_>>| {
-            self.pulled(curves, height, index, limits)
-        };
-        match cutter {
-            Cutter::Curve(curve) => {
-                let arcs = pulled(std::slice::from_ref(curve), None)?;
-                let is_on = |p: DVec3| curve.closest(p, limits[0]).distance <= limits[0];
-                self.with_pinches(arcs, limits[0], is_on)
-            }
-            Cutter::Plane(plane) => Ok(self.plane_arcs(*plane, index, tolerance)?.0),
-            Cutter::Faces(faces) => {
-                let of_face = |face: &Self| {
-                    self.arcs_of(&Cutter::Face(Arc::new(face.clone())), index, tolerance)
-                };
-                Ok(faces.iter().map(of_face).collect::<Result<Vec<_>, _>>()?.concat())
-            }
-            Cutter::Surface(_) | Cutter::Face(_) => {
-                let (other, face) = match cutter {
-                    Cutter::Face(face) => (face.surface(), Some(face)),
-                    Cutter::Surface(other) => (other, None),
-                    _ => unreachable!("a surface or a part of one"),
-                };
-                let found = surface
-                    .intersections(&Surface::Nurbs(Arc::clone(other)), tolerance)
-                    .map_err(runs_along)?;
-                let curves = match face {
-                    Some(face) => face.clipped(&found.curves, tolerance)?,
-                    None => found.curves,
-                };
-                let last_foot = Cell::new(None);
-                let height = |p: DVec3| {
-                    let foot = foot_beside(other, p, last_foot.get(), limits[0]);
-                    last_foot.set(Some(foot.parameters));
-                    let [u, v] = foot.parameters;
-                    // Without a normal there is no height, and the place stays as it was found.
-                    other.normal_at(u, v).map_or((f64::NAN, DVec3::ZERO), |normal| {
-                        ((p - foot.point).dot(normal), normal)
-                    })
-                };
-                let is_on = |p: DVec3| {
-                    let foot = other.closest(p);
-                    foot.distance <= limits[0]
-                        && face.is_none_or(|face| face.has(foot.parameters, tolerance))
-                };
-                self.with_pinches(pulled(&curves, Some(&height))?, limits[0], is_on)
-            }
-        }
-    }
-
-    /// The arcs of a plane, and places that it has in common with the surface, one of each curve among them.
-    fn plane_arcs(
-        &self,
-        plane: Frame,
-        index: usize,
-        tolerance: Tolerance,
-    ) -> Result<(Vec<NurbsCurve>, Vec<DVec3>), GeomError> {
-        let surface = Surface::Nurbs(Arc::clone(&self.plane.surface));
-        let found = surface.section(plane, tolerance).map_err(self.runs_along(index))?;
-        let height = |p: DVec3| ((p - plane.origin()).dot(plane.z()), plane.z());
-        let limits = [self.distance(tolerance), tolerance.angle];
-        let arcs = self.pulled(&found.curves, Some(&height), index, limits)?;
-        let arcs = self.with_pinches(arcs, limits[0], |p| height(p).0.abs() <= limits[0])?;
-        let middle = |curve: &NurbsCurve| curve.point_at(curve.domain().at(0.5));
-        let on_curves: Vec<DVec3> = found.curves.iter().map(middle).collect();
-        Ok((arcs, [found.touches, found.contacts, found.uncertain, on_curves].concat()))
-    }
-
-    fn pulled(
-        &self,
-        curves: &[NurbsCurve],
-        height: Option<&Height<'_>>,
-        index: usize,
-        limits: [f64; 2],
-    ) -> Result<Vec<NurbsCurve>, GeomError> {
-        let mut arcs = Vec::new();
-        for curve in curves {
-            let (named, parameters) = (("cutter", index), ArcParameters::Any);
-            arcs.extend(arcs_on_surface(&self.plane, curve, height, named, limits, parameters)?);
-        }
-        Ok(arcs)
-    }
-
-    fn runs_along(&self, index: usize) -> impl Fn(GeomError) -> GeomError {
-        move |error| match error {
-            GeomError::Picture(PictureError::SurfacesRunTogether { point }) => {
-                FaceError::RunsAlong { index, point }.into()
-            }
-            GeomError::Intersection(IntersectionError::RunTogether { .. }) => {
-                FaceError::RunsAlong { index, point: self.plane.point(place_of(&self.parts)) }
-                    .into()
-            }
-            other => other,
-        }
-    }
-}
-
-/// The nearest point of a surface on which a curve is followed from place to place: where a descent from the last
-/// one goes, unless that ends at an edge or further away than such places are.
-fn foot_beside(
-    surface: &NurbsSurface,
-    point: DVec3,
-    last: Option<[f64; 2]>,
-    tolerance: f64,
-) -> SurfaceClosestPoint {
-    let domains = [surface.domain_u(), surface.domain_v()];
-    let is_inside = |foot: &SurfaceClosestPoint| {
-        let is_between = |i: usize| {
-            domains[i].start() < foot.parameters[i] && foot.parameters[i] < domains[i].end()
-        };
-        foot.distance <= MOST_BESIDE * tolerance && is_between(0) && is_between(1)
-    };
-    let beside = last.map(|start| surface.foot_from(start, point)).filter(is_inside);
-    beside.unwrap_or_else(|| surface.closest(point))
 }

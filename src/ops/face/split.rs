@@ -13,7 +13,9 @@ op! {
     /// Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
     /// are those of the true curves. A part goes over the seam of a closed surface as over any other place.
     /// The order of the parts depends on the surface and the cutters alone; `trim` takes the part beside a point. A
-    /// cutter that misses the face, ends inside of it, or shares an area with it is an error.
+    /// cutter that misses the face or ends inside of it is an error. One that lies on the face, on its plane, cylinder,
+    /// cone, sphere or torus or as a part of its own surface, divides it by the border of what both have in common; one
+    /// that lies on all of it, and another surface that runs together with it, is an error.
     split in Face -> Vec<Face> {
         /// The surface or face.
         s: Spanned<SurfaceOrFace>,

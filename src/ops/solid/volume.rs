@@ -13,7 +13,8 @@ op! {
     /// they are smooth.
     ///
     /// Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that
-    /// allows: `volume_error` of its `report` is a bound. With `accuracy` a volume that is not known as well is refused.
+    /// allows: `volume_error` of its `report` is a bound. With `accuracy` edges are compared within ever smaller distances
+    /// until the bound is met; a volume that is not known as well is refused.
     volume in Solid -> Volume<Real> {
         /// The solid.
         s: RealSolid,
@@ -21,8 +22,8 @@ op! {
         accuracy: Option<Spanned<Volume>>,
     }
     example "volume(solid(box((0, 0, 0), (1, 2, 3))))" => "6";
-    example "volume(solid(box((0, 0, 0), (1, 2, 3))), accuracy = 1e-3)" => "6";
-    refuses "volume(solid(box((0, 0, 0), (1, 2, 3))), accuracy = 1e-9)" => "E0608: the volume is known within 0.0000299333, not within 1e-9: faces may miss one another along their edges by the tolerance";
+    example "volume(solid(box((0, 0, 0), (1, 2, 3))), accuracy = 1e-9)" => "6";
+    refuses "volume(solid(box((0, 0, 0), (1, 2, 3))), accuracy = 0)" => "E0607: the accuracy must be positive, found 0";
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Volume<Real>> {
@@ -42,16 +43,16 @@ fn check_accuracy(solid: &Solid, accuracy: Spanned<Volume>, ctx: &Ctx<'_>) -> Re
         let message = format!("the accuracy must be positive, found {}", shortest(wanted));
         return Diagnostic::error(Code::Degenerate, accuracy.span, message).fail();
     }
-    let known = solid.contents(ctx.tolerance).at(ctx.span)?.volume_error;
+    let known = solid.volume_error_within(wanted, ctx.tolerance).at(ctx.span)?;
     if known <= wanted {
         return Ok(());
     }
     let message = format!(
-        "the volume is known within {}, not within {}: faces may miss one another along their edges by the tolerance",
+        "the volume is known within {}, not within {}: by what faces miss one another along their edges, and by rounding",
         rounded(known),
         shortest(wanted)
     );
     Diagnostic::error(Code::BeyondTolerance, accuracy.span, message)
-        .hint("a smaller `tolerance` at the top of the script says that edges are nearer to their faces")
+        .hint("a smaller `tolerance` at the top of the script makes cuts whose edges are nearer to their faces")
         .fail()
 }

@@ -60,6 +60,7 @@ const fn of_face(error: &FaceError) -> Code {
         FaceError::OpenShell { .. }
         | FaceError::CrowdedShell { .. }
         | FaceError::OneSided { .. } => Code::OpenShell,
+        FaceError::RunsTogether { .. } => Code::RunTogether,
         FaceError::BeyondCentre { .. } => Code::BeyondCentre,
         FaceError::Narrow { .. } | FaceError::NearEdges { .. } => Code::WithinTolerance,
         FaceError::TouchesItself { .. } => Code::NotManifold,
@@ -70,6 +71,7 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::Apart { .. }
         | FaceError::OffSurface { .. }
         | FaceError::Misses { .. }
+        | FaceError::Covered { .. }
         | FaceError::RunsAlong { .. }
         | FaceError::NoPartAt { .. }
         | FaceError::NoCommonEdge { .. }
@@ -96,6 +98,7 @@ const fn of_solid(error: &SolidError) -> Code {
         | SolidError::UnclearSide { .. }
         | SolidError::ThinCut { .. }
         | SolidError::ThinTip { .. }
+        | SolidError::ThinSection { .. }
         | SolidError::UncertainCut { .. } => Code::WithinTolerance,
         SolidError::UnevenRim { .. } | SolidError::OpenRim { .. } => Code::OpenShell,
     }

@@ -26,8 +26,14 @@ pub(super) fn of_face(error: &FaceError) -> String {
             "an edge is shared where it runs within the tolerance of one of the other: `tolerance` allows more"
         }
         FaceError::Misses { .. } => "leave it out, or move it to where the face is",
+        FaceError::Covered { .. } => {
+            "leave it out; the border of a cutter that lies on a face divides it where it goes over it"
+        }
         FaceError::RunsAlong { .. } => {
             "a cutter crosses the face; give the curves that bound the part"
+        }
+        FaceError::RunsTogether { .. } => {
+            "make both of one surface, or let them cross clearly; curves that bound the part cut as well"
         }
         FaceError::NoPartAt { .. } => "give a point on the face, beside the cuts",
         FaceError::OnCut { .. } => "give a point beside the cuts",
@@ -97,6 +103,9 @@ pub(super) fn of_solid(error: &SolidError) -> String {
         | SolidError::TouchesAlong { .. } => "move the plane by more than the tolerance",
         SolidError::ThinTip { .. } => {
             "move the plane through that place or clearly away from it, or state a smaller `tolerance` at the top of the script"
+        }
+        SolidError::ThinSection { .. } => {
+            "move the plane to where the solid is thicker, or state a smaller `tolerance` at the top of the script"
         }
         SolidError::ThinCut { .. } => {
             "move the plane through the edge or clearly away from it, or state a smaller `tolerance` at the top of the script"

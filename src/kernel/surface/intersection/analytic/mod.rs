@@ -9,9 +9,10 @@
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
 //! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
-//! planes cut them, `coaxial` the circles in which those about one axis cross.
+//! planes cut them, `coaxial` the circles in which those about one axis cross, `carrier` tells which are parts of one.
 
 mod apart;
+mod carrier;
 mod coaxial;
 mod conic;
 mod equation;

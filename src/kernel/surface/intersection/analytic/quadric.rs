@@ -110,7 +110,7 @@ impl NurbsSurface {
     }
 
     /// Points over the whole of it.
-    fn samples(&self) -> Vec<DVec3> {
+    pub(super) fn samples(&self) -> Vec<DVec3> {
         // Twice the degree and one more tell a polynomial of twice the degree.
         let counts =
             [(self.degree_u(), self.n_patches()[0]), (self.degree_v(), self.n_patches()[1])]
