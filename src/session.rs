@@ -56,6 +56,8 @@ pub struct Session {
     n_threads: usize,
     /// Of an incremental session.
     memory: Option<Arc<SessionMemory>>,
+    /// Whether runs leave the memory as it is.
+    is_aside: bool,
     gauge: MemoryGauge,
     stop: StopToken,
 }
@@ -151,6 +153,7 @@ impl Session {
             limits,
             n_threads: 1,
             memory: None,
+            is_aside: false,
             gauge: MemoryGauge::default(),
             stop: StopToken::default(),
         }
@@ -283,8 +286,10 @@ impl Session {
             stop: &self.stop,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
-        if let Some(recall) = recall {
-            recall.end(outcome.diagnostics.iter().any(|found| found.severity == Severity::Error));
+        match recall {
+            Some(recall) if self.is_aside => recall.end_aside(),
+            Some(recall) => recall.end(0 < n_errors(&outcome.diagnostics)),
+            None => {}
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);

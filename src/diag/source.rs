@@ -1,6 +1,6 @@
 //! The texts that spans point into, laid end to end.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::Span;
 
@@ -13,6 +13,8 @@ pub struct Source {
     pub text: Arc<str>,
     /// The place of its first byte among all sources.
     pub base: u32,
+    /// The bytes at which its lines begin, once somebody asked.
+    line_starts: OnceLock<Vec<u32>>,
 }
 
 impl Source {
@@ -27,14 +29,18 @@ impl Source {
         start..end.max(start)
     }
 
-    /// Line and column of a place, both from 1; the column counts characters.
+    /// Line and column of a place, both from 1; the column counts characters. The lines are counted once, for the
+    /// first place that is asked for; after that a place costs no more than its line is long.
     #[must_use]
     pub fn line_column(&self, at: u32) -> (usize, usize) {
         let at = self.local(Span::new(at, at)).start;
-        let before = &self.text[..at];
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let line = 1 + before.bytes().filter(|&byte| byte == b'\n').count();
-        (line, 1 + before[line_start..].chars().count())
+        let starts = self.line_starts.get_or_init(|| {
+            let ends = self.text.bytes().zip(1..).filter(|&(byte, _)| byte == b'\n');
+            std::iter::once(0).chain(ends.map(|(_, behind)| behind)).collect()
+        });
+        let line = starts.partition_point(|&start| start as usize <= at);
+        let line_start = starts[line - 1] as usize;
+        (line, 1 + self.text[line_start..at].chars().count())
     }
 }
 
@@ -49,7 +55,7 @@ impl Sources {
     /// end of one is not the start of the next.
     pub fn add(&mut self, name: impl Into<String>, text: Arc<str>) -> u32 {
         let base = self.sources.last().map_or(0, |last| last.base + last.text.len() as u32 + 1);
-        self.sources.push(Source { name: name.into(), text, base });
+        self.sources.push(Source { name: name.into(), text, base, line_starts: OnceLock::new() });
         base
     }
 
@@ -79,5 +85,16 @@ mod tests {
         let source = sources.at(place).unwrap();
         assert_eq!((source.name.as_str(), source.line_column(place.start)), ("b", (2, 1)));
         assert_eq!(&source.text[source.local(place)], "zwei");
+    }
+
+    #[test]
+    fn places_are_told_by_line_and_column() {
+        let mut sources = Sources::default();
+        let base = sources.add("a", "ä\n\nbc\n".into());
+        let source = sources.iter().next().unwrap();
+        let told: Vec<(usize, usize)> =
+            [0, 1, 2, 3, 4, 5, 6, 7, 99].map(|at| source.line_column(base + at)).into();
+        let expected = [(1, 1), (1, 1), (1, 2), (2, 1), (3, 1), (3, 2), (3, 3), (4, 1), (4, 1)];
+        assert_eq!(told, expected);
     }
 }

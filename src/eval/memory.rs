@@ -7,7 +7,7 @@
 //! identity stays, so that whatever uses them is found again.
 
 use std::{
-    collections::{BTreeMap, BTreeSet},
+    collections::{BTreeMap, BTreeSet, HashMap},
     hash::{DefaultHasher, Hasher},
     sync::{Arc, Mutex, MutexGuard, PoisonError},
 };
@@ -58,7 +58,7 @@ pub struct Memory(Mutex<MemoryState>);
 
 #[derive(Debug, Default)]
 struct MemoryState {
-    results: BTreeMap<Box<[u8]>, MemoryEntry>,
+    results: HashMap<Box<[u8]>, MemoryEntry>,
     n_results: u64,
     n_runs: u64,
 }
@@ -183,6 +183,11 @@ impl CacheRun<'_> {
             entry.is_settled = true;
             is_used
         });
+    }
+
+    /// Ends a run beside those of a whole text, and forgets what it evaluated itself.
+    pub fn end_aside(self) {
+        self.memory.lock().results.retain(|_, entry| entry.first_run != self.run);
     }
 
     /// The identity of a key that is no definition's.

@@ -74,6 +74,8 @@ struct ComponentQueueState {
     /// Components that each component still waits for.
     n_missing: Vec<usize>,
     n_left: usize,
+    /// Workers that wait for a component. To wake nobody costs as much as a small definition.
+    n_waiting: usize,
 }
 
 impl ComponentQueue {
@@ -97,7 +99,7 @@ impl ComponentQueue {
         }
         let ready =
             (0..n_components).filter(|&component| n_missing[component] == 0).map(Reverse).collect();
-        let state = ComponentQueueState { ready, n_missing, n_left: n_components };
+        let state = ComponentQueueState { ready, n_missing, n_left: n_components, n_waiting: 0 };
         Self { state: Mutex::new(state), changed: Condvar::new(), users }
     }
 
@@ -111,7 +113,9 @@ impl ComponentQueue {
             if state.n_left == 0 {
                 return None;
             }
+            state.n_waiting += 1;
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+            state.n_waiting -= 1;
         }
     }
 
@@ -124,8 +128,11 @@ impl ComponentQueue {
                 state.ready.push(Reverse(user));
             }
         }
+        let is_awaited = 0 < state.n_waiting;
         drop(state);
-        self.changed.notify_all();
+        if is_awaited {
+            self.changed.notify_all();
+        }
     }
 
     fn lock(&self) -> MutexGuard<'_, ComponentQueueState> {

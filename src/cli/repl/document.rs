@@ -1,26 +1,28 @@
 //! The document of a prompt: statements in order, replaced by name, undone as a whole.
 
+use std::{collections::HashMap, sync::Arc};
+
 use crate::{
     diag::Diagnostic,
     limits::Limits,
-    syntax::{StatementRole, parts},
+    syntax::{OutlinedStatement, StatementRole, parts, pieces},
 };
 
 /// Documents that `:undo` can go back to.
 const MOST_UNDONE: usize = 200;
 
 /// A statement with the comments before it.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct DocumentStatement {
     text: String,
     role: StatementRole,
     names: Vec<String>,
 }
 
-/// The statements so far.
+/// The statements so far. The documents of a history share what they have in common.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PromptDocument {
-    pieces: Vec<DocumentStatement>,
+    pieces: Vec<Arc<DocumentStatement>>,
 }
 
 /// A document on its way to the next one.
@@ -43,12 +45,11 @@ impl PromptDocument {
     /// What is wrong with the text.
     pub(super) fn of(text: &str, limits: &Limits) -> Result<Self, Vec<Diagnostic>> {
         let text = text.trim_start_matches('\u{feff}');
-        let pieces = parts(text, limits)?.into_iter().map(|part| DocumentStatement {
-            text: text[part.range].trim_matches('\n').to_owned(),
-            role: part.role,
-            names: part.names,
-        });
-        Ok(Self { pieces: pieces.collect() })
+        let piece = |part: OutlinedStatement| {
+            let text = text[part.range].trim_matches('\n').to_owned();
+            Arc::new(DocumentStatement { text, role: part.role, names: part.names })
+        };
+        Ok(Self { pieces: parts(text, limits)?.into_iter().map(piece).collect() })
     }
 
     /// Whether it holds nothing.
@@ -61,12 +62,53 @@ impl PromptDocument {
         self.pieces.iter().filter(|piece| piece.role == role).count()
     }
 
+    /// Whether both are one script.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let is_same = |(own, other): (&Arc<DocumentStatement>, &Arc<DocumentStatement>)| {
+            Arc::ptr_eq(own, other) || own.text == other.text
+        };
+        let mut both = self.pieces.iter().zip(&other.pieces);
+        self.pieces.len() == other.pieces.len() && both.all(is_same)
+    }
+
     /// The whole as a script.
     pub(super) fn text(&self) -> String {
         self.pieces.iter().map(|piece| format!("{}\n", piece.text)).collect()
     }
 
-    /// What a question is asked of: settings and definitions.
+    /// What a question can reach: the settings, the definitions of the names in it, of those in these, and so on;
+    /// and those without a name, which may be imports that are called as their file. A name counts wherever it
+    /// stands, also as a field or a label.
+    pub(super) fn reached_from(&self, question: &str) -> String {
+        let mut places: HashMap<&str, usize> = HashMap::new();
+        for (idx, piece) in self.pieces.iter().enumerate() {
+            places.extend(piece.names.iter().map(|name| (name.as_str(), idx)));
+        }
+        let mut is_reached: Vec<bool> = self
+            .pieces
+            .iter()
+            .map(|piece| match piece.role {
+                StatementRole::Setting(_) => true,
+                StatementRole::Definition => piece.names.is_empty(),
+                _ => false,
+            })
+            .collect();
+        let reached = self.pieces.iter().zip(&is_reached).filter(|(_, is_reached)| **is_reached);
+        let mut texts: Vec<&str> = reached.map(|(piece, _)| piece.text.as_str()).collect();
+        texts.push(question);
+        while let Some(text) = texts.pop() {
+            for (_, range) in pieces(text) {
+                let Some(&idx) = places.get(&text[range]) else { continue };
+                if !std::mem::replace(&mut is_reached[idx], true) {
+                    texts.push(&self.pieces[idx].text);
+                }
+            }
+        }
+        let reached = self.pieces.iter().zip(is_reached).filter(|(_, is_reached)| *is_reached);
+        reached.map(|(piece, _)| format!("{}\n", piece.text)).collect()
+    }
+
+    /// What a question is asked of where all names count: settings and definitions.
     pub(super) fn definitions(&self) -> String {
         self.text_of(|piece| {
             matches!(piece.role, StatementRole::Setting(_) | StatementRole::Definition)
@@ -113,20 +155,20 @@ impl PromptDocument {
     }
 
     /// The pieces that none of `added` takes the place of.
-    fn outside(&self, added: &[DocumentStatement]) -> Vec<DocumentStatement> {
-        let stays = |old: &&DocumentStatement| !added.iter().any(|new| new.replaces(old));
+    fn outside(&self, added: &[Arc<DocumentStatement>]) -> Vec<Arc<DocumentStatement>> {
+        let stays = |old: &&Arc<DocumentStatement>| !added.iter().any(|new| new.replaces(old));
         self.pieces.iter().filter(stays).cloned().collect()
     }
 
     /// Names of replaced pieces that nothing defines any more.
-    fn lost(&self, added: &[DocumentStatement]) -> Vec<String> {
+    fn lost(&self, added: &[Arc<DocumentStatement>]) -> Vec<String> {
         let gone = self.pieces.iter().filter(|old| added.iter().any(|new| new.replaces(old)));
         let is_lost = |name: &&String| !added.iter().any(|new| new.names.contains(name));
         gone.flat_map(|old| old.names.iter().filter(is_lost).cloned()).collect()
     }
 
     /// Puts a piece into the place of what it replaces, or at the end; a setting to the front.
-    fn put(&mut self, piece: DocumentStatement) {
+    fn put(&mut self, piece: Arc<DocumentStatement>) {
         let place = self.pieces.iter().position(|old| piece.replaces(old));
         self.pieces.retain(|old| !piece.replaces(old));
         let end = self.pieces.len();
@@ -187,5 +229,26 @@ mod tests {
         let draft = draft.next.draft("unit cm print a", &limits).unwrap();
         assert_eq!(draft.next.text(), "unit cm\nlet a = 1\nlet b = 7\ncheck a > 0\n");
         assert!(!draft.replaces);
+    }
+
+    #[test]
+    fn a_question_reaches_what_its_names_do() {
+        let text = "unit cm\nimport \"a.geo\"\nlet a = 1\nlet [b, c] = [a, 2]\nfn f(x) = \"{c}\"\nlet d = 4\ncheck d > 0";
+        let document = PromptDocument::of(text, &Limits::DEFAULT).unwrap();
+        let always = "unit cm\nimport \"a.geo\"\n";
+        let reached = |question: &str| document.reached_from(question);
+        assert_eq!(reached("1"), always);
+        assert_eq!(reached("d + a"), format!("{always}let a = 1\nlet d = 4\n"));
+        let of_f = "let a = 1\nlet [b, c] = [a, 2]\nfn f(x) = \"{c}\"\n";
+        assert_eq!(reached("[for i in 0..3: f(i)]"), format!("{always}{of_f}"));
+    }
+
+    #[test]
+    fn documents_are_one_where_their_statements_are() {
+        let document = |text: &str| PromptDocument::of(text, &Limits::DEFAULT).unwrap();
+        let one = document("let a = 1\nlet b = 2");
+        assert!(one.is_same(&one.clone()) && one.is_same(&document("let a = 1\nlet b = 2")));
+        assert!(!one.is_same(&document("let a = 1\nlet b = 3")));
+        assert!(!one.is_same(&document("let a = 1")));
     }
 }

@@ -94,9 +94,29 @@ impl Engine {
         input: &str,
         names: [&str; 2],
     ) -> Option<EngineRun> {
+        self.run_in(Arc::clone(&self.session), (base, gap, input), names)
+    }
+
+    /// The same where `base` is a part of a document, the rest of which stays evaluated.
+    pub(super) fn run_aside(
+        &mut self,
+        base: &str,
+        gap: char,
+        input: &str,
+        names: [&str; 2],
+    ) -> Option<EngineRun> {
+        self.run_in(Arc::new(self.session.aside()), (base, gap, input), names)
+    }
+
+    fn run_in(
+        &mut self,
+        session: Arc<Session>,
+        (base, gap, input): (&str, char, &str),
+        names: [&str; 2],
+    ) -> Option<EngineRun> {
         let text = format!("{base}{gap}{input}");
         let end = text.len() as u32;
-        let (session, files) = (Arc::clone(&self.session), Arc::clone(&self.files));
+        let files = Arc::clone(&self.files);
         let settings = Arc::clone(&self.settings);
         let (sender, receiver) = mpsc::channel();
         INTERRUPTED.reset();

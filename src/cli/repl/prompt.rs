@@ -83,18 +83,17 @@ impl Prompt {
     /// The same without an effect on `_`.
     pub(super) fn question(&mut self, question: &str) -> Option<(Vec<Printed>, Duration)> {
         let places = free_placeholders(question);
-        let mut base = self.document.definitions();
-        let mut text = question.to_owned();
+        let (mut text, mut last) = (question.to_owned(), String::new());
         if !places.is_empty() {
-            let Some(last) = &self.last else {
+            let Some(value) = &self.last else {
                 self.refuse("`_` is the last value, and there is none yet");
                 return None;
             };
-            base.push_str(&format!("let {LAST} = {last}\n"));
+            last = format!("let {LAST} = {value}\n");
             places.into_iter().rev().for_each(|place| text.replace_range(place, LAST));
         }
-        base.push_str("print");
-        let ran = self.evaluate(&base, ' ', &text, ["document", "input"])?;
+        last.push_str("print");
+        let ran = self.answered(&last, &text)?;
         let EngineRun { report, time, .. } = ran;
         let printed: Vec<Printed> = report
             .events
@@ -105,6 +104,28 @@ impl Prompt {
             })
             .collect();
         Some((printed, time))
+    }
+
+    /// Evaluates a question behind what it can reach of the document. Where there is anything to tell it is
+    /// evaluated behind all of it: what is told depends on all names, and on what was told before.
+    fn answered(&mut self, before: &str, question: &str) -> Option<EngineRun> {
+        let names = ["document", "input"];
+        let reached = self.document.reached_from(&format!("{before} {question}")) + before;
+        let Some(ran) = self.engine.run_aside(&reached, ' ', question, names) else {
+            return self.stopped();
+        };
+        if ran.report.diagnostics.is_empty() {
+            self.unit = ran.report.document.0;
+            return Some(ran);
+        }
+        let base = self.document.definitions() + before;
+        self.evaluate(&base, ' ', question, names)
+    }
+
+    /// Tells that there is no answer.
+    fn stopped(&self) -> Option<EngineRun> {
+        self.voice.remark("stopped; the document is as it was");
+        None
     }
 
     /// Keeps what `_` stands for: a value that can be written as it is, any other as its question.
@@ -137,8 +158,7 @@ impl Prompt {
         names: [&str; 2],
     ) -> Option<EngineRun> {
         let Some(mut ran) = self.engine.run(base, gap, text, names) else {
-            self.voice.remark("stopped; the document is as it was");
-            return None;
+            return self.stopped();
         };
         let is_error = |found: &Diagnostic| found.severity == Severity::Error;
         let is_imported = |found: &Diagnostic| ran.end < found.primary.span.start;
@@ -207,8 +227,7 @@ impl Prompt {
         if self.document.count(StatementRole::Test) < draft.next.count(StatementRole::Test) {
             self.voice.remark("(`virote test` runs it once the document is saved)");
         }
-        let is_changed = draft.next.text() != self.document.text();
-        if is_changed {
+        if !draft.next.is_same(&self.document) {
             let before = std::mem::replace(&mut self.document, draft.next);
             self.undo.push(before, self.last.clone());
         }

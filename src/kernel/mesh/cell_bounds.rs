@@ -134,7 +134,8 @@ impl CellBounds {
         let widths = few.widths();
         let n_cells = widths.each_ref().map(|&(_, n_cells)| n_cells as usize);
         let n_pieces = n_cells.map(|n_cells| n_cells.clamp(FEW_PIECES, CELL_PIECES));
-        if n_pieces == [FEW_PIECES; 2] {
+        // Work that was ended left pieces without bounds, by which the cells are countless.
+        if n_pieces == [FEW_PIECES; 2] || work::ended().is_some() {
             return Self { widths: Some(widths), ..few };
         }
         Self::of(bounds(n_pieces), surface, wanted, breaks)

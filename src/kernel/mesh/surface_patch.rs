@@ -151,3 +151,31 @@ impl Cells {
         [lines[first], lines[first + 1]]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::{SurfacePatch, TessellationOptions};
+    use crate::{
+        Frame, NurbsSurface,
+        work::{MemoryGauge, StopToken, Watch, under},
+    };
+
+    #[test]
+    fn work_that_was_ended_leaves_few_pieces() {
+        let ball = NurbsSurface::sphere(Frame::XY, 1.0).unwrap();
+        let patch = SurfacePatch::of_spline(&ball, 1e-4);
+        let wanted = TessellationOptions { angle: 0.1 * PI, ..TessellationOptions::within(1e-4) };
+        let n_pieces = |steps: u64| {
+            let (gauge, stop) = (MemoryGauge::default(), StopToken::default());
+            let watch = Watch { gauge, memory_bytes: usize::MAX, stop, steps };
+            let (limits, _) = under(watch, || patch.limits(&wanted));
+            limits.ends.map(|ends| ends.len() - 1)
+        };
+        let whole = n_pieces(u64::MAX);
+        let ended = n_pieces(0);
+        assert!(ended[0] <= whole[0] && ended[1] <= whole[1], "{ended:?} of {whole:?}");
+        assert!(ended[0].max(ended[1]) <= 32, "{ended:?}");
+    }
+}
