@@ -77,9 +77,18 @@ impl AskedPlace<'_> {
                 Fact::number("k2", "largest principal curvature", k2, units.curvature()),
                 Fact::number("gauss", "Gaussian curvature", gauss, units.gaussian()),
                 Fact::number("mean", "mean curvature", mean, units.curvature()),
-                Fact::vector("d1", "direction of the smallest", principal.d1),
-                Fact::vector("d2", "direction of the largest", principal.d2),
             ];
+            // Where both are equal within the tolerance's angle, no direction is told from another.
+            let is_umbilic = 0.5 * (k2 - k1) <= self.tolerance.angle * most;
+            facts.extend(match is_umbilic {
+                true => {
+                    vec![Fact::said("umbilic", "umbilic point", "every direction is principal")]
+                }
+                false => vec![
+                    Fact::vector("d1", "direction of the smallest", principal.d1),
+                    Fact::vector("d2", "direction of the largest", principal.d2),
+                ],
+            });
         }
         let parameters = [u, v];
         Ok(self.answer(&parameters, json!({ "u": u, "v": v }), point, normal, &facts))

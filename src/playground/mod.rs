@@ -20,8 +20,8 @@ use crate::{
     ide::Document,
     page::{
         Answer, Known, Model, PageRun, RunPlace, Shown, ask::ask, defaults::rewritten,
-        deviation::deviation, export::wanted, isocurves::isocurves, keys_of, measure::measure, settings,
-        stripes::stripes,
+        deviation::deviation, export::wanted, isocurves::isocurves, keys_of, measure::measure,
+        settings, stripes::stripes,
     },
     session::Session,
     value::MemoryFiles,

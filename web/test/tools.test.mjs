@@ -50,11 +50,15 @@ run("a click near an end, a corner or a vertex is answered there, and not beside
   const clickBeside = async ([x, y, z], gap = 5) => {
     const [px, py] = await pixel([x, y, z]);
     await page.mouse.move(px + gap, py - gap);
-    await until(page, () => document.querySelector(".lure-name"));
-    const name = await page.$eval(".lure-name", (text) => text.textContent);
+    // What the click would be drawn to is shown before.
+    await until(page, (sx, sy) => {
+      const square = document.querySelector(".lure")?.getBoundingClientRect();
+      return square && Math.hypot((square.left + square.right) / 2 - sx, (square.top + square.bottom) / 2 - sy) < 1;
+    }, px, py);
     await page.mouse.click(px + gap, py - gap);
     await until(page, () => window.virote.hit?.answer);
-    return [name, (await hit()).answer.point];
+    const { snapped, answer } = await hit();
+    return [snapped, answer.point];
   };
   assert.deepEqual(await clickBeside([-20, 0, 1 / 3]), ["end", [-20, 0, 1 / 3]]);
   assert.match(await page.$eval(".place", (facts) => facts.textContent), /Snapped toend/);

@@ -121,9 +121,10 @@ export type Question = { item: string } & Place;
 
 export interface Fact {
   label: string;
-  /** k1, k2, gauss, mean, d1, d2; tangent, curvature, radius, torsion. */
+  /** k1, k2, gauss, mean, d1, d2, umbilic; tangent, curvature, radius, torsion. */
   name?: string;
-  value: number | Vector;
+  /** Null of what is no number. */
+  value: number | Vector | null;
   text: string;
 }
 

@@ -11,6 +11,7 @@ const SHORT: Record<string, string> = {
   k2: "k2, greatest curvature",
   gauss: "Gaussian curvature",
   mean: "Mean curvature",
+  umbilic: "Umbilic point",
   d1: "Direction of k1",
   d2: "Direction of k2",
   tangent: "Tangent",
