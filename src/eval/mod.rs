@@ -73,5 +73,6 @@ pub use outcome::{
 };
 pub(crate) use param::param_kind;
 pub use run::evaluate;
+pub(crate) use relative_files::RelativeFiles;
 pub use schema::{Schema, SchemaParameter, parameters};
 pub use settings::{Purpose, Setting, Settings, TestFilter};

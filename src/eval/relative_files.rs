@@ -2,15 +2,26 @@
 
 use std::sync::PoisonError;
 
-use super::{library::join, machine::FileReads, memory::FileRead};
+use super::{
+    library::{folder, join},
+    machine::FileReads,
+    memory::FileRead,
+};
 use crate::value::Files;
 
 /// Files as a file of another folder names them.
 #[derive(Debug)]
-pub(super) struct RelativeFiles<'a> {
+pub(crate) struct RelativeFiles<'a> {
     pub(super) files: &'a dyn Files,
     pub(super) folder: &'a str,
     pub(super) reads: Option<FileReads>,
+}
+
+impl<'a> RelativeFiles<'a> {
+    /// Files as the file at `path` names them.
+    pub(crate) fn beside(files: &'a dyn Files, path: &'a str) -> Self {
+        Self { files, folder: folder(path), reads: None }
+    }
 }
 
 impl Files for RelativeFiles<'_> {

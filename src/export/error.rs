@@ -77,6 +77,22 @@ pub fn io_reason(err: &io::Error) -> String {
     match err.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),
         io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
+        io::ErrorKind::NotADirectory => "a part of its path is a file, not a folder".to_owned(),
         _ => err.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{io, io_reason};
+
+    #[test]
+    fn a_path_through_a_file_is_told_in_words() {
+        let told = |kind: io::ErrorKind| io_reason(&io::Error::from(kind));
+        assert_eq!(
+            told(io::ErrorKind::NotADirectory),
+            "a part of its path is a file, not a folder"
+        );
+        assert_eq!(told(io::ErrorKind::NotFound), "there is no such file");
     }
 }

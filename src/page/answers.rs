@@ -66,6 +66,11 @@ impl Fact {
         Self { name, label, value: json!(value.to_array()), text: format!("({x}, {y}, {z})") }
     }
 
+    /// What is no number.
+    pub(super) fn said(name: &'static str, label: &'static str, text: &str) -> Self {
+        Self { name, label, value: Json::Null, text: text.to_owned() }
+    }
+
     pub(super) fn json(&self) -> Json {
         json!({ "name": self.name, "label": self.label, "value": self.value, "text": self.text })
     }

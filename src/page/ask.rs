@@ -16,7 +16,7 @@ use crate::{
     session::Session,
 };
 
-/// What the surface `item` is at `u`, `v`, the curve `item` at `t`.
+/// What the surface `item` is at `u`, `v`, the curve `item` at `t`; where the `vertex` of a mesh or of points is.
 pub(crate) fn ask(body: &Json, known: &Known, session: &Session) -> Answer {
     let key = body["item"].as_str().ok_or("`item` must be a key")?;
     let at = |name: &str| number_of(body, name);
@@ -43,6 +43,8 @@ pub(crate) fn ask(body: &Json, known: &Known, session: &Session) -> Answer {
             let t = at("t")?;
             within_ceilings(session, || place.curve(curve, t))
         }
+        Shape::Mesh(mesh) => place.vertex(mesh.vertices(), at("vertex")?),
+        Shape::Points(points) => place.vertex(points, at("vertex")?),
         shape => Err(format!("a {} is asked for no place", shape.kind())),
     })
 }
@@ -75,9 +77,18 @@ impl AskedPlace<'_> {
                 Fact::number("k2", "largest principal curvature", k2, units.curvature()),
                 Fact::number("gauss", "Gaussian curvature", gauss, units.gaussian()),
                 Fact::number("mean", "mean curvature", mean, units.curvature()),
-                Fact::vector("d1", "direction of the smallest", principal.d1),
-                Fact::vector("d2", "direction of the largest", principal.d2),
             ];
+            // Where both are equal within the tolerance's angle, no direction is told from another.
+            let is_umbilic = 0.5 * (k2 - k1) <= self.tolerance.angle * most;
+            facts.extend(match is_umbilic {
+                true => {
+                    vec![Fact::said("umbilic", "umbilic point", "every direction is principal")]
+                }
+                false => vec![
+                    Fact::vector("d1", "direction of the smallest", principal.d1),
+                    Fact::vector("d2", "direction of the largest", principal.d2),
+                ],
+            });
         }
         let parameters = [u, v];
         Ok(self.answer(&parameters, json!({ "u": u, "v": v }), point, normal, &facts))
@@ -95,6 +106,22 @@ impl AskedPlace<'_> {
         add("radius", "radius of curvature", radius, self.units.length());
         add("torsion", "torsion", local.torsion().ok(), self.units.curvature());
         Ok(self.answer(&[t], json!({ "t": t }), local.point(), local.normal().ok(), &facts))
+    }
+
+    /// The place of a vertex of a mesh, or of one of several points, by its number.
+    fn vertex(&self, places: &[glam::DVec3], number: f64) -> Answer {
+        let is_number = 0.0 <= number && number.fract() == 0.0;
+        let point = is_number.then(|| places.get(number as usize)).flatten();
+        let point = point.ok_or_else(|| format!("there are {} of them", places.len()))?;
+        Ok(json!({
+            "definition": self.definition,
+            "path": self.path,
+            "parameters": { "vertex": number },
+            "expression": null,
+            "point": point.to_array(),
+            "normal": null,
+            "facts": [],
+        }))
     }
 
     fn answer(

@@ -11,6 +11,8 @@ mod ceilings;
 pub(crate) mod defaults;
 pub(crate) mod deviation;
 pub(crate) mod export;
+mod imports;
+pub(crate) mod isocurves;
 pub(crate) mod measure;
 mod model;
 mod parameters;

@@ -3,8 +3,10 @@
 
 use std::{collections::BTreeSet, path::Path, sync::Arc};
 
+use serde_json::{Value as Json, json};
+
 use super::{
-    Shown,
+    Shown, imports,
     scene::{ItemMemory, Scene},
     state::{self, RunOutcome},
 };
@@ -23,6 +25,10 @@ pub(crate) struct Model {
     memory: ItemMemory,
     /// Of the last run whose script could be read.
     schema: Option<Schema>,
+    /// Whether that is all of it, and not what is known of a script with errors.
+    is_schema_whole: bool,
+    /// The parameters of imported files.
+    imports: Json,
     /// Names of parameters that the script had at some time.
     had: BTreeSet<String>,
     /// The last run.
@@ -75,6 +81,8 @@ impl Model {
             session: session.incremental(),
             memory,
             schema: None,
+            is_schema_whole: false,
+            imports: json!([]),
             had: BTreeSet::new(),
             last: None,
             drawn: None,
@@ -111,8 +119,7 @@ impl Model {
             return None;
         }
         if run.is_file_new || self.schema.is_none() {
-            let schema = self.session.parameters(run.name, run.bytes, run.files);
-            self.schema = schema.ok().or(self.schema.take());
+            self.look_at_parameters(run);
         }
         let evaluated = (run.clock)();
         let report = Arc::new(report);
@@ -150,6 +157,20 @@ impl Model {
         Some(Shown { lost, ..self.shown(place, told) })
     }
 
+    /// Learns the parameters of the script and of what it imports. Those of a script with errors are the
+    /// ones that it had; as long as it never was whole, the ones that have values.
+    fn look_at_parameters(&mut self, PageRun { name, bytes, files, .. }: PageRun<'_>) {
+        match self.session.parameters(name, bytes, files) {
+            Ok(schema) => {
+                self.schema = Some(schema);
+                self.is_schema_whole = true;
+            }
+            Err(_) if self.is_schema_whole => return,
+            Err(_) => self.schema = self.session.known_parameters(name, bytes, files),
+        }
+        self.imports = imports::json(&self.session, bytes, files);
+    }
+
     /// Settings of parameters that the script had and, without errors, has no more.
     fn lost<'s>(&mut self, settings: &'s [Setting]) -> Vec<&'s Setting> {
         let parameters = self.schema.iter().flat_map(|schema| &schema.parameters);
@@ -180,6 +201,7 @@ impl Model {
             &state::Setup {
                 place,
                 schema: self.schema.as_ref(),
+                imports: &self.imports,
                 drawn: drawn.map(|drawn| (&*drawn.report, &*drawn.scene)),
                 is_partial: drawn.is_some_and(|drawn| drawn.is_partial),
             },

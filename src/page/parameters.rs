@@ -79,6 +79,11 @@ fn kind(parameter: &SchemaParameter) -> &'static str {
     }
 }
 
+/// What a parameter allows, as a script writes it.
+pub(super) fn allowed_text(parameter: &SchemaParameter, unit: &str) -> Option<String> {
+    parameter.allowed.as_ref().map(|allowed| parameter.written(allowed, unit))
+}
+
 /// A value as it stands behind `--set NAME=`: numbers with their unit, strings as they are.
 pub(super) fn written(value: &Value, unit: &'static str) -> String {
     match value {

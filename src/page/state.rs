@@ -19,6 +19,8 @@ use crate::{
 pub(super) struct Setup<'a> {
     pub(super) place: RunPlace<'a>,
     pub(super) schema: Option<&'a Schema>,
+    /// The parameters of imported files.
+    pub(super) imports: &'a Json,
     /// The run whose items are shown.
     pub(super) drawn: Option<(&'a Report, &'a Scene)>,
     /// Whether that one had errors.
@@ -57,6 +59,7 @@ pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
         "bounds": bounds_json(setup.drawn.and_then(|(_, scene)| scene.bounds)),
         "items": setup.drawn.map_or_else(|| json!([]), |(report, scene)| items(report, scene)),
         "parameters": parameters::json(setup.schema, told.report, setup.place.settings),
+        "imports": setup.imports,
         "checks": of_run(checks),
         "prints": of_run(prints),
         "exports": of_run(exports),
@@ -72,7 +75,8 @@ pub(super) fn json(setup: &Setup<'_>, told: &RunOutcome<'_>) -> Json {
 /// The state before the first run.
 pub(super) fn empty(script: &Path, out: &Path) -> Json {
     let place = RunPlace { version: 0, script, out, settings: &[] };
-    let setup = Setup { place, schema: None, drawn: None, is_partial: false };
+    let imports = json!([]);
+    let setup = Setup { place, schema: None, imports: &imports, drawn: None, is_partial: false };
     json(
         &setup,
         &RunOutcome { report: None, is_current: false, troubles: &[], milliseconds: [0.0; 2] },

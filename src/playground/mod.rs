@@ -20,8 +20,8 @@ use crate::{
     ide::Document,
     page::{
         Answer, Known, Model, PageRun, RunPlace, Shown, ask::ask, defaults::rewritten,
-        deviation::deviation, export::wanted, keys_of, measure::measure, settings,
-        stripes::stripes,
+        deviation::deviation, export::wanted, isocurves::isocurves, keys_of, measure::measure,
+        settings, stripes::stripes,
     },
     session::Session,
     value::MemoryFiles,
@@ -94,6 +94,10 @@ impl Playground {
                 Ok((json!({}), parts))
             }
             "deviation" => Ok(numbers(deviation(body, known, session)?)),
+            "isocurves" => {
+                let item = isocurves(body, known, session)?;
+                Ok((json!({}), vec![Arc::new(item)]))
+            }
             "stripes" => Ok(numbers(stripes(body, known, session)?)),
             "export" => self.export(body),
             _ => self.plain_answer(message).map(|answer| (answer, Vec::new())),

@@ -42,6 +42,20 @@ impl Session {
         self.unless_wrong(schema, sources, found)
     }
 
+    /// Those parameters of the script `bytes` that have a value whatever else is wrong; none of a text that
+    /// cannot be read.
+    pub(crate) fn known_parameters(
+        &self,
+        name: &str,
+        bytes: &[u8],
+        files: &dyn Files,
+    ) -> Option<Schema> {
+        let (text, mut sources) = self.opened(name, bytes).ok()?;
+        Some(self.on_stack(|limits| {
+            eval::parameters(name, text, &mut sources, self.settings(files, limits))
+        }))
+    }
+
     /// The definitions and effects of the script `bytes` with what they use; nothing is evaluated.
     ///
     /// # Errors

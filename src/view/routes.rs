@@ -11,7 +11,8 @@ use super::{
     page, write,
 };
 use crate::page::{
-    Answer, ask::ask, deviation::deviation, keys_of, measure::measure, settings, stripes::stripes,
+    Answer, ask::ask, deviation::deviation, isocurves::isocurves, keys_of, measure::measure,
+    settings, stripes::stripes,
 };
 
 /// The answer to a request that may be asked.
@@ -61,6 +62,8 @@ fn bytes(path: &str, body: &Json, doors: &Doors) -> Option<Result<Response, Stri
         "/api/deviation" => {
             deviation(body, &doors.hub.known(), &doors.session).map(Response::numbers)
         }
+        "/api/isocurves" => isocurves(body, &doors.hub.known(), &doors.session)
+            .map(|item| Response::new("application/octet-stream", item)),
         "/api/stripes" => stripes(body, &doors.hub.known(), &doors.session).map(Response::numbers),
         _ => return None,
     })

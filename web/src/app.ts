@@ -10,7 +10,7 @@ import { copy, el, say } from "./panels/dom";
 import { expressionOf, FactsPanel } from "./panels/facts";
 import { legend } from "./panels/legend";
 import { LookPanel } from "./panels/look";
-import { overlay, scaleBar, stripesCaption, triad } from "./panels/overlay";
+import { combScale, overlay, scaleBar, stripesCaption, triad } from "./panels/overlay";
 import { ParameterPanel } from "./panels/parameters";
 import { helpSheet, Toolbar } from "./panels/toolbar";
 import { TreePanel } from "./panels/tree";
@@ -32,6 +32,7 @@ export class App {
   readonly tree: TreePanel;
   private readonly help: HTMLDialogElement;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
+  private hovering = 0;
   private readonly view = el("main", { class: "view" }, this.canvas);
 
   /** `more` are commands of the page around the model. */
@@ -70,7 +71,7 @@ export class App {
         { class: "front" },
         el("div", { class: "front-top" }, legend(doc, stage, settings, deviation), this.greeting(), triad(stage)),
         this.toast(),
-        el("div", { class: "front-foot" }, scaleBar(doc, stage, settings), stripesCaption(stage, settings)),
+        el("div", { class: "front-foot" }, scaleBar(doc, stage, settings), combScale(doc, stage, settings), stripesCaption(stage, settings)),
         diagnosticsPanel(doc),
       ),
     );
@@ -131,6 +132,17 @@ export class App {
     if (hit) void this.question(hit);
   }
 
+  /** Shows what a click at a pixel would be drawn to. */
+  private hover(place: [number, number] | null): void {
+    cancelAnimationFrame(this.hovering);
+    this.hovering = requestAnimationFrame(() => {
+      const { lure } = this.doc;
+      const found = place && this.settings.value.snap ? this.stage.lure(...place) : null;
+      const old = lure.value;
+      if (found?.path !== old?.path || found?.snapped !== old?.snapped || found?.point.join() !== old?.point.join()) lure.set(found);
+    });
+  }
+
   private followPointer(): void {
     const { stage } = this;
     const moved = (): void => {
@@ -144,6 +156,7 @@ export class App {
       click: (x, y, isAdding) => this.click(x, y, isAdding),
       doubleClick: () => stage.fit(this.doc.selection.value.size > 0),
       settled: () => stage.ask(),
+      hover: (place) => this.hover(place),
     });
   }
 
@@ -313,6 +326,7 @@ export class App {
       { id: "isolate", title: "Isolate the selection", keys: ["l"], group, icon: "isolate", isPossible, run: () => doc.isolate(doc.selection.value) },
       { id: "as-script", title: "Visibility of the script", keys: ["Shift+l"], group, run: () => doc.choices.set(new Map()) },
       { id: "measure", title: "Measure between two points", keys: ["m"], group, icon: "measure", isOn: () => doc.isMeasuring.value, run: () => this.toggleMeasuring() },
+      { id: "snap", title: "Snap clicks to ends, knots, corners and vertices", keys: ["Shift+m"], group, icon: "snap", isOn: () => settings.value.snap, run: () => (settings.toggle("snap"), doc.lure.set(null)) },
       { id: "copy-point", title: "Copy the clicked point’s expression", keys: ["y"], group, isPossible: () => doc.hit.value !== null, run: () => this.copyPoint() },
       { id: "none", title: "Let go: selection, point, measurement", keys: ["Escape"], group, run: () => this.letGo() },
     ];

@@ -17,7 +17,7 @@ export interface ViroteWindow {
   readonly isCurrent: boolean;
   readonly isOnline: boolean;
   readonly camera: Pose & { isOrthographic: boolean };
-  readonly items: { path: string; key: string; kind: string; triangles: number; isVisible: boolean; isSelected: boolean }[];
+  readonly items: { path: string; key: string; kind: string; triangles: number; isocurves: number; isVisible: boolean; isSelected: boolean }[];
   readonly hit: Hit | null;
   readonly marks: Hit[];
   readonly settings: Settings;
@@ -79,6 +79,7 @@ export function expose(app: App): void {
         key: item.key,
         kind: item.kind,
         triangles: (shape.buffers.triangles?.length ?? 0) / 3,
+        isocurves: (stage.isocurves.value.get(item.key) ?? shape.buffers).isocurves.length,
         isVisible,
         isSelected: doc.selection.value.has(item.path),
       }));

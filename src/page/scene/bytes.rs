@@ -20,6 +20,7 @@ const OPTIONAL: &[&str] = &[
     "control",
     "knots",
     "comb",
+    "snaps",
 ];
 
 /// Lists of polylines, which may be empty.

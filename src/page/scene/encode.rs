@@ -69,15 +69,8 @@ pub(super) fn encoded(
     mesh: Option<Mesh>,
     fineness: &Fineness,
 ) -> Result<EncodedItem, GeomError> {
-    let bounds = shape.bounds();
-    let center = bounds.map_or(DVec3::ZERO, Bounds::center);
-    let mut item = EncodingItem {
-        writer: ItemWriter::new(shape.kind(), center),
-        facts: Map::new(),
-        size: bounds.map_or(0.0, Bounds::diagonal),
-        fineness: *fineness,
-        trouble: None,
-    };
+    let mut item = EncodingItem::new(shape, N_ISOCURVES, fineness);
+    item.add_snaps(shape);
     match shape {
         Shape::Points(points) => {
             item.add_points(points);
@@ -111,6 +104,7 @@ pub(super) fn encoded(
         }
     }
     let EncodingItem { writer, facts, trouble, .. } = item;
+    let bounds = shape.bounds();
     Ok(EncodedItem { bytes: Arc::new(writer.finish()), facts, bounds, trouble })
 }
 
@@ -164,9 +158,23 @@ pub(super) struct EncodingItem {
     pub(super) size: f64,
     pub(super) fineness: Fineness,
     pub(super) trouble: Option<String>,
+    /// Lines of equal parameter in each direction.
+    pub(super) n_isocurves: usize,
 }
 
 impl EncodingItem {
+    pub(super) fn new(shape: &Shape, n_isocurves: usize, fineness: &Fineness) -> Self {
+        let bounds = shape.bounds();
+        Self {
+            writer: ItemWriter::new(shape.kind(), bounds.map_or(DVec3::ZERO, Bounds::center)),
+            facts: Map::new(),
+            size: bounds.map_or(0.0, Bounds::diagonal),
+            fineness: *fineness,
+            trouble: None,
+            n_isocurves,
+        }
+    }
+
     fn add_fact(&mut self, name: &str, value: Json) {
         self.facts.insert(name.to_owned(), value);
     }
@@ -230,7 +238,7 @@ impl EncodingItem {
                     Direction::U => (surface.domain_u(), surface.is_closed_u(same)?),
                     Direction::V => (surface.domain_v(), surface.is_closed_v(same)?),
                 };
-                let steps = domain.steps(N_ISOCURVES + 1);
+                let steps = domain.steps(self.n_isocurves + 1);
                 for (i, &at) in steps.iter().enumerate() {
                     let is_end = i == 0 || i + 1 == steps.len();
                     let line = match along {

@@ -5,12 +5,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::encode::{EncodingItem, N_ISOCOMB, bending};
-use crate::{
-    export::N_ISOCURVES,
-    kernel::{
-        Curve, Direction, Face, GeomError, Surface, Tolerance,
-        tolerance::{DRAWING_DIGIT, PATH_RELATIVE},
-    },
+use crate::kernel::{
+    Curve, Direction, Face, GeomError, Surface, Tolerance,
+    tolerance::{DRAWING_DIGIT, PATH_RELATIVE},
 };
 
 impl EncodingItem {
@@ -46,7 +43,7 @@ impl EncodingItem {
     ) -> Result<(), GeomError> {
         let (mut isocurves, mut isocombs) = (Vec::new(), Vec::new());
         for along in Direction::BOTH {
-            let steps = face.surface().domain(along.other()).steps(N_ISOCURVES + 1);
+            let steps = face.surface().domain(along.other()).steps(self.n_isocurves + 1);
             for &at in &steps[1..steps.len() - 1] {
                 let line = match along {
                     Direction::U => face.surface().isocurve_v(at),

@@ -4,9 +4,11 @@ mod bytes;
 mod deferred;
 mod encode;
 mod face_lines;
+mod isolines;
 mod memory;
 mod meshes;
 mod parts;
+mod snaps;
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -18,6 +20,7 @@ use serde_json::json;
 pub(crate) use self::{
     deferred::ItemSource,
     encode::{EncodedItem, Fineness},
+    isolines::isolines,
     memory::ItemMemory,
     parts::{Piece, Shape},
 };
@@ -197,7 +200,7 @@ fn deferred<'a, 'd>(
 
 /// How fine a scene of this size is drawn. The size is a power of two, so that what grows a little
 /// leaves all else as it is.
-fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Fineness {
+pub(crate) fn fineness(report: &Report, session: &Session, bounds: Option<Bounds>) -> Fineness {
     let size = bounds.map_or(0.0, Bounds::diagonal);
     let size = if 0.0 < size && size.is_finite() { size } else { 1.0 };
     let step = libm::exp2(libm::floor(libm::log2(size)));

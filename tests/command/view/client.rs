@@ -210,7 +210,7 @@ pub(super) struct Item {
 }
 
 impl Item {
-    fn of(bytes: Vec<u8>) -> Self {
+    pub(super) fn of(bytes: Vec<u8>) -> Self {
         let n = u32::from_le_bytes(bytes[..4].try_into().expect("four bytes")) as usize;
         assert_eq!((4 + n) % 8, 0);
         let header = serde_json::from_slice(&bytes[4..4 + n]).expect("a header");

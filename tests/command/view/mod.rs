@@ -4,5 +4,6 @@ mod attacks;
 mod client;
 mod files;
 mod live;
+mod places;
 mod questions;
 mod scene;

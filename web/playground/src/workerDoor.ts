@@ -62,6 +62,10 @@ export class WorkerDoor implements Door {
     return new Float32Array((await this.call({ call: "deviation", item, from })).attached[0]);
   }
 
+  async isocurves(item: string, count: number): Promise<ArrayBuffer> {
+    return (await this.call({ call: "isocurves", item, count })).attached[0];
+  }
+
   async stripes(item: string, stripes: Stripes): Promise<Float32Array> {
     return new Float32Array((await this.call({ call: "stripes", item, ...stripes })).attached[0]);
   }

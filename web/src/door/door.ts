@@ -47,6 +47,25 @@ export interface Parameter {
   isSet: boolean;
 }
 
+/** A file that the script imports, with its parameters and what the script gives them. */
+export interface Import {
+  path: string;
+  line: number;
+  parameters: ImportedParameter[];
+}
+
+export interface ImportedParameter {
+  name: string;
+  label: string | null;
+  docs: string | null;
+  default: string;
+  /** A range or choices, as a script writes them. */
+  allowed: string | null;
+  /** What stands in the script for it, and where; null where it has its default. */
+  given: string | null;
+  line: number | null;
+}
+
 export interface Check {
   text: string;
   /** What the claim says in the script's own words. */
@@ -86,6 +105,7 @@ export interface State {
   bounds: Box | null;
   items: Item[];
   parameters: Parameter[];
+  imports?: Import[];
   checks: Check[];
   prints: { text: string; value: string; line: number | null }[];
   exports: { path: string; line: number | null }[];
@@ -95,14 +115,16 @@ export interface State {
   definitions: { evaluated: number; reused: number };
 }
 
-/** A place on an item: (u, v) of a surface or t of a curve. */
-export type Question = { item: string; u: number; v: number } | { item: string; t: number };
+/** A place on an item: (u, v) of a surface, t of a curve, or the number of a vertex of a mesh or of points. */
+export type Place = { u: number; v: number } | { t: number } | { vertex: number };
+export type Question = { item: string } & Place;
 
 export interface Fact {
   label: string;
-  /** k1, k2, gauss, mean, d1, d2; tangent, curvature, radius, torsion. */
+  /** k1, k2, gauss, mean, d1, d2, umbilic; tangent, curvature, radius, torsion. */
   name?: string;
-  value: number | Vector;
+  /** Null of what is no number. */
+  value: number | Vector | null;
   text: string;
 }
 
@@ -154,6 +176,8 @@ export interface Door {
   measure(kind: Measurable, items: string[]): Promise<{ value: number; text: string }>;
   /** How far each vertex of an item is from the nearest of others, negative behind their surfaces. */
   deviation(item: string, from: string[]): Promise<Float32Array>;
+  /** The bytes of an item that has the lines of equal parameter of another one, so many inside in each direction. */
+  isocurves(item: string, count: number): Promise<ArrayBuffer>;
   /** The borders of stripes on an item: pairs of places, relative to its centre. */
   stripes(item: string, stripes: Stripes): Promise<Float32Array>;
   set(change: { values: Values } | { reset: true }): Promise<void>;

@@ -48,6 +48,9 @@ export class EmbeddedDoor implements Door {
   deviation(): Promise<never> {
     return cannot();
   }
+  isocurves(): Promise<never> {
+    return cannot();
+  }
   stripes(): Promise<never> {
     return cannot();
   }

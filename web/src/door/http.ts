@@ -55,6 +55,10 @@ export class HttpDoor implements Door {
     return new Float32Array(await (await this.send("deviation", { item, from })).arrayBuffer());
   }
 
+  async isocurves(item: string, count: number): Promise<ArrayBuffer> {
+    return (await this.send("isocurves", { item, count })).arrayBuffer();
+  }
+
   async stripes(item: string, stripes: Stripes): Promise<Float32Array> {
     return new Float32Array(await (await this.send("stripes", { item, ...stripes })).arrayBuffer());
   }

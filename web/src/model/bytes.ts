@@ -23,6 +23,7 @@ interface Header {
   control: { points: Slice; size: number[] } | null;
   knots: { u: number[]; v: number[] } | { t: number[] } | null;
   comb: Slice | null;
+  snaps?: { parameters: number[][]; points: Slice; ends: number } | null;
 }
 
 /** The buffers of one item; coordinates are relative to `center`, in the document's unit. */
@@ -45,6 +46,8 @@ export interface Buffers {
   control: { points: Float32Array; size: number[] } | null;
   knots: { u: number[]; v: number[] } | { t: number[] } | null;
   comb: Float32Array | null;
+  /** Places that a click near them means, with their parameters; the first so many are ends, corners or vertices, the rest knots. */
+  snaps: { parameters: number[][]; points: Float32Array; n_ends: number } | null;
   n_bytes: number;
 }
 
@@ -80,6 +83,7 @@ export function decode(bytes: ArrayBuffer): Buffers {
       : null,
     knots: header.knots,
     comb: maybe(header.comb, 3),
+    snaps: header.snaps ? { parameters: header.snaps.parameters, points: floats(header.snaps.points, 3), n_ends: header.snaps.ends } : null,
     n_bytes: bytes.byteLength,
   };
 }

@@ -1,6 +1,6 @@
 // What the page knows of the model: the newest state, its buffers, what is selected and what is hidden.
 
-import { type Answer, type Check, type Door, DoorError, type Item, type State, type Vector } from "../door/door";
+import { type Answer, type Check, type Door, DoorError, type Item, type Place, type State, type Vector } from "../door/door";
 import { Signal } from "../signal";
 import type { Buffers } from "./bytes";
 import { Keeper } from "./keeper";
@@ -17,7 +17,9 @@ export interface Hit {
   item: Item;
   point: Vector;
   normal: Vector | null;
-  parameters: { u: number; v: number } | { t: number } | null;
+  parameters: Place | null;
+  /** What the click was drawn to, such as the end of a curve. */
+  snapped?: string | null;
   /** The triangle, where the place is on one. */
   triangle: number | null;
   /** Which of its points, where the place is one of many. */
@@ -60,6 +62,8 @@ export class Document {
   /** Paths whose visibility the person chose. */
   readonly choices = new Signal<ReadonlyMap<string, boolean>>(new Map());
   readonly hit = new Signal<Hit | null>(null);
+  /** The place that a click would be drawn to. */
+  readonly lure = new Signal<Hit | null>(null);
   /** The hits of a measurement, one or two. */
   readonly marks = new Signal<Hit[]>([]);
   readonly isMeasuring = new Signal(false);

@@ -30,6 +30,11 @@ export interface Settings {
   combs: boolean;
   /** Open and shared edges. */
   shell: boolean;
+  /** Whether clicks go to ends, knots, corners and vertices nearby. */
+  snap: boolean;
+  /** Lines of equal parameter inside a surface, in each direction. */
+  isocurveCount: number;
+  combsOf: "all" | "selection";
   combScale: number;
   /** Teeth are drawn at every n-th vertex. */
   combStride: number;
@@ -54,6 +59,9 @@ export interface Settings {
   rightPanel: boolean;
 }
 
+/** Lines of equal parameter with which items come. */
+export const N_ISOCURVES = 7;
+
 const DEFAULTS: Settings = {
   theme: "auto",
   isOrthographic: false,
@@ -66,6 +74,9 @@ const DEFAULTS: Settings = {
   normals: false,
   combs: false,
   shell: false,
+  snap: true,
+  isocurveCount: N_ISOCURVES,
+  combsOf: "all",
   combScale: 1,
   combStride: 1,
   shade: "plain",
@@ -93,6 +104,7 @@ const KEPT: (keyof Settings)[] = [
   "grid",
   "edges",
   "isocurves",
+  "snap",
   "leftPanel",
   "rightPanel",
 ];

@@ -11,6 +11,7 @@ const SHORT: Record<string, string> = {
   k2: "k2, greatest curvature",
   gauss: "Gaussian curvature",
   mean: "Mean curvature",
+  umbilic: "Umbilic point",
   d1: "Direction of k1",
   d2: "Direction of k2",
   tangent: "Tangent",
@@ -56,6 +57,7 @@ export class FactsPanel {
     const { answer } = hit;
     const nodes: Node[] = [this.expression(hit)];
     nodes.push(row("Point", places(answer?.point ?? hit.point, this.size()), unit));
+    if (hit.snapped) nodes.push(row("Snapped to", hit.snapped));
     const normal = answer?.normal ?? hit.normal;
     if (normal) nodes.push(row(isOnCut(hit) ? "Normal of the section" : hit.item.kind === "mesh" ? "Normal of the triangle" : "Normal", triple(normal, 4)));
     if (hit.item.kind === "mesh" && hit.triangle !== null) nodes.push(row("Triangle", String(hit.triangle)));
@@ -185,6 +187,7 @@ export function expressionOf(hit: Hit): string {
   if (item.form === "point") return item.path;
   if (item.form === "points" && typeof hit.index === "number") return `${item.path}[${hit.index}]`;
   if (!parameters) return `(${rounded(pointOf(hit)).join(", ")})`;
+  if ("vertex" in parameters) return `(${pointOf(hit).join(", ")})`;
   const at = "u" in parameters ? [parameters.u, parameters.v] : [parameters.t];
   return `${item.path}(${at.map((value) => Number(value.toPrecision(6))).join(", ")})`;
 }

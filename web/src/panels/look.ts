@@ -168,15 +168,32 @@ export class LookPanel {
   }
 
   private buildCombs(): void {
+    const count = slider("Isocurves", [1, 31, 1], String, (isocurveCount) => this.settings.put({ isocurveCount }));
+    count.root.dataset.setting = "isocurve-count";
+    const of = segmented("Combs of", [["all", "all"], ["selection", "selection"]], (combsOf) => this.settings.put({ combsOf }));
+    of.root.dataset.setting = "combs-of";
     const scale = slider("Comb", [-1.5, 1.5, 0.05], (power) => `× ${figure(10 ** power, 2)}`, (power) =>
       this.settings.put({ combScale: 10 ** power }),
     );
     const stride = slider("Spacing", [1, 16, 1], (n) => (n === 1 ? "every" : `${n}th`), (combStride) =>
       this.settings.put({ combStride }),
     );
-    this.section.body.append(scale.root, stride.root);
-    this.settings.watch(({ combs, combScale, combStride }) => {
-      scale.root.hidden = stride.root.hidden = !combs;
+    scale.root.dataset.setting = "comb-scale";
+    stride.root.dataset.setting = "comb-spacing";
+    const told = el("p", { class: "hint combs-told" }, "Select a curve or a surface to see its comb.");
+    this.section.body.append(count.root, of.root, scale.root, stride.root, told);
+    const tell = (): void => {
+      const { combs, combsOf } = this.settings.value;
+      told.hidden = !combs || combsOf === "all" || this.doc.selection.value.size > 0;
+    };
+    this.doc.selection.follow(tell);
+    this.settings.watch(({ combs, combsOf, isocurves, isocurveCount, combScale, combStride }) => {
+      scale.root.hidden = stride.root.hidden = of.root.hidden = !combs;
+      // How many lines there are is the kernel's to change.
+      count.root.hidden = !(combs || isocurves) || !this.doc.door.canEvaluate;
+      count.set(isocurveCount);
+      of.set(combsOf);
+      tell();
       scale.set(Math.log10(combScale));
       stride.set(combStride);
     });

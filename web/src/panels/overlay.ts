@@ -41,6 +41,8 @@ export function overlay(doc: Document, stage: Stage, settings: SettingsSignal): 
     for (const point of doc.claimed()) shapes.push(...claimShapes(stage, point));
     const hit = doc.hit.value;
     if (hit && !marks.includes(hit)) shapes.push(...hitShapes(stage, hit));
+    const lure = doc.lure.value;
+    if (lure) shapes.push(...lureShapes(stage, lure));
     label.hidden = marks.length < 2;
     if (marks.length === 2) {
       const [a, b] = marks.map((mark) => stage.rig.project(new Vector3(...pointOf(mark))));
@@ -77,6 +79,13 @@ function hitShapes(stage: Stage, hit: Hit): SVGElement[] {
   }
   shapes.push(dot(stage, point, "hit"));
   return shapes;
+}
+
+/** What a click would be drawn to: a square around it, and what it is. */
+function lureShapes(stage: Stage, { point, snapped }: Hit): SVGElement[] {
+  const { x, y } = stage.rig.project(new Vector3(...point));
+  const square = (kind: string): SVGElement => svg("rect", { class: kind, x: x - 6, y: y - 6, width: 12, height: 12 });
+  return [square("lure-halo"), square("lure"), svg("text", { class: "lure-name", x: x + 11, y: y - 8 }, snapped ?? "")];
 }
 
 /** A place that a failed claim tells of: a ring around it, seen through everything. */
@@ -200,4 +209,31 @@ export function scaleBar(doc: Document, stage: Stage, settings: SettingsSignal):
     say(text, `${figure(length)} ${doc.state.value?.unit ?? ""}`);
   });
   return root;
+}
+
+/** Pixels that the tooth of the scale has at least. */
+const LEAST_TOOTH = 28;
+
+/** What the teeth of combs mean: a tooth as long as the bar stands for so much curvature. */
+export function combScale(doc: Document, stage: Stage, settings: SettingsSignal): HTMLElement {
+  const bar = el("span", { class: "scale-line" });
+  const text = el("span");
+  const root = el("div", { class: "scale comb-scale", title: "Length of a tooth of a comb at this curvature" }, bar, text);
+  stage.afterFrame.add(() => {
+    const pixels = stage.combLength.value / stage.rig.perPixel;
+    root.hidden = !settings.value.combs || !(pixels > 0);
+    if (root.hidden) return;
+    const curvature = roundAbove(LEAST_TOOTH / pixels);
+    const width = `${(curvature * pixels).toFixed(1)}px`;
+    if (bar.style.width !== width) bar.style.width = width;
+    const unit = doc.state.value?.unit ?? "";
+    say(text, `1 tooth = ${figure(curvature)} /${unit} (radius ${figure(1 / curvature)} ${unit})`);
+  });
+  return root;
+}
+
+/** The next 1, 2 or 5 times a power of ten. */
+function roundAbove(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return (([1, 2, 5].find((digit) => digit * power >= value * (1 - 1e-9)) ?? 10) * power);
 }

@@ -1,8 +1,8 @@
 // The parameters of the script: a control each that fits its declaration, alive while it is dragged.
 
-import type { Parameter, State, Values } from "../door/door";
+import type { Import, ImportedParameter, Parameter, State, Values } from "../door/door";
 import type { Document } from "../model/document";
-import { button, copy, el, say, section, type Section } from "./dom";
+import { button, copy, el, renew, say, section, type Section } from "./dom";
 import { icon } from "./icons";
 
 /** A drag waits so long for what became of its last value before it sends the next, in milliseconds. */
@@ -19,6 +19,7 @@ export class ParameterPanel {
   private readonly controls = new Map<string, Control>();
   private readonly sender: Sender;
   private readonly empty = el("p", { class: "hint" });
+  private readonly imports = el("div", { class: "imports" });
 
   constructor(private readonly doc: Document) {
     this.sender = new Sender(doc);
@@ -58,6 +59,8 @@ export class ParameterPanel {
     say(this.empty, state.isCurrent ? "The script has no param." : "The parameters are shown once the script is whole.");
     if (names.size === 0) body.append(this.empty);
     else this.empty.remove();
+    body.append(this.imports);
+    renew(this.imports, (state.imports ?? []).map((one) => imported(one, names)));
   }
 
   private make(parameter: Parameter, shape: string): Control {
@@ -107,6 +110,20 @@ export class ParameterPanel {
     const written = await this.doc.attempt(this.doc.door.write(values));
     if (written) this.doc.tell(`Written into the script: ${written.join(", ")}`);
   }
+}
+
+/** The parameters of an imported file: to be read, since the script says what they are. */
+function imported({ path, line, parameters }: Import, own: ReadonlySet<string>): HTMLElement {
+  const rows = parameters.map((one) => importedRow(one, own));
+  return el("div", { class: "import", "data-import": path }, el("h4", { title: `line ${line}` }, path), ...rows);
+}
+
+function importedRow({ name, label, docs, given, line, ...its }: ImportedParameter, own: ReadonlySet<string>): HTMLElement {
+  const title = [label && name, docs, its.allowed].filter(Boolean).join("\n");
+  const value = el("code", {}, given ?? its.default);
+  // What is a parameter of the script has its control above.
+  const whence = given === null ? "its default" : own.has(given) ? `by ${given}, line ${line}` : `given in line ${line}`;
+  return el("div", { class: "imported", "data-imported": name, title }, el("span", {}, label ?? name), value, el("small", {}, whence));
 }
 
 interface Input {

@@ -11,7 +11,7 @@ const BAR = [
   ["fit", "projection", "grid"],
   ["edges", "isocurves", "wireframe"],
   ["zebra", "combs", "control", "knots", "normals", "shell"],
-  ["section", "measure", "ghost"],
+  ["section", "measure", "snap", "ghost"],
   ["photo", "theme", "help"],
 ];
 
@@ -30,6 +30,14 @@ export class Toolbar {
     };
     const groups = BAR.map((ids) => el("div", { class: "tool-group" }, ...ids.map(make)));
     groups[0].append(viewMenu(commands));
+    const more = moreMenu(groups, (id) => {
+      const command = byId.get(id)!;
+      const row = button(icon(command.icon!), titleOf(command), command.run, { class: "menu-row", "data-more": id });
+      row.append(el("span", {}, command.title));
+      this.buttons.push([command, row]);
+      return row;
+    });
+    groups[groups.length - 1].prepend(more);
     this.root = el(
       "header",
       { class: "bar" },
@@ -54,6 +62,26 @@ function titleOf({ title, keys }: Command): string {
   return keys.length > 0 ? `${title} (${keyName(keys[0])})` : title;
 }
 
+/** Groups of the bar that a narrow window has no room for: what they hold is listed in a menu. */
+const FOLDED = [1, 2, 3];
+
+/** The menu with what a narrow bar leaves out; shown where it does, as the style says. */
+function moreMenu(groups: HTMLElement[], make: (id: string) => HTMLButtonElement): HTMLElement {
+  const lists = FOLDED.map((i) => {
+    groups[i].classList.add(`folded-${i}`);
+    return el("div", { class: `menu-group folded-${i}` }, ...BAR[i].map(make));
+  });
+  return closing(el("details", { class: "menu more" }, el("summary", { class: "tool", title: "More" }, icon("more")), el("div", { class: "menu-list" }, ...lists)));
+}
+
+/** A menu that closes at a press anywhere else. */
+function closing(menu: HTMLDetailsElement): HTMLDetailsElement {
+  document.addEventListener("pointerdown", (event) => {
+    if (!menu.contains(event.target as Node)) menu.open = false;
+  });
+  return menu;
+}
+
 function viewMenu(commands: Command[]): HTMLElement {
   const views = commands.filter((command) => command.id.startsWith("view-"));
   const rows = views.map((command) => {
@@ -64,10 +92,7 @@ function viewMenu(commands: Command[]): HTMLElement {
     row.append(el("kbd", {}, keyName(command.keys[0])));
     return row;
   });
-  const menu = el("details", { class: "menu" }, el("summary", { class: "tool", title: "Views" }, icon("views")), el("div", { class: "menu-list" }, ...rows));
-  document.addEventListener("pointerdown", (event) => {
-    if (!menu.contains(event.target as Node)) menu.open = false;
-  });
+  const menu = closing(el("details", { class: "menu" }, el("summary", { class: "tool", title: "Views" }, icon("views")), el("div", { class: "menu-list" }, ...rows)));
   return menu;
 }
 

@@ -3,8 +3,10 @@
 import { type BufferGeometry, Group, Mesh, Points, type ShaderMaterial } from "three";
 
 import type { Item } from "../door/door";
+import type { Isocurves } from "../model/isocurves";
 import type { Settings } from "../model/settings";
 import { dotMaterial, lineMaterial, setOpacity, surfaceMaterial } from "./paint";
+import { endsOf, segmentGeometry } from "./segments";
 import type { Shape } from "./shape";
 import { colorOf, type Palette, raw } from "./theme";
 
@@ -27,6 +29,9 @@ export class Overlays {
   readonly knotDots = dotMaterial(colorless(), 9, 0.0005);
   readonly normals = lineMaterial(colorless(), 1.25, 0.8);
   readonly comb = lineMaterial(colorless(), 1, 0.8, 0.0002);
+  /** Curves and points of the script: each puts its colour onto them when it is drawn. */
+  readonly ownLine = lineMaterial(colorless(), CURVE_LINE, 1, 0.00015);
+  readonly ownDots = dotMaterial(colorless(), 7);
   readonly ghostLine = lineMaterial(colorless(), 1.25, 0.55);
 
   paint(palette: Palette): void {
@@ -53,6 +58,10 @@ export interface Look {
   palette: Palette;
   isVisible: boolean;
   isSelected: boolean;
+  /** Lines of equal parameter in the place of those that came with the item. */
+  isocurves: Isocurves | null;
+  /** Whether its comb is wanted. */
+  isCombed: boolean;
   /** Length of a tooth of the comb for a curvature of 1. */
   combLength: number;
   normalLength: number;
@@ -69,9 +78,13 @@ export class DrawnItem {
   private edges: Mesh | null = null;
   /** Whether its edges are still to be found, because there are too many triangles for one frame. */
   isUnfinished = false;
+  /** Of what has no surface; of curves one for all of them. */
   private readonly ownLine: ShaderMaterial | null;
+  private ownColor = colorless();
+  private ownWidth = CURVE_LINE;
   private readonly layers = new Map<Layer, Mesh | Points>();
   private combOf = "";
+  private isocurvesOf: Isocurves | null = null;
   private normalsOf = 0;
 
   constructor(
@@ -99,7 +112,19 @@ export class DrawnItem {
     this.isUnfinished = buffers.kind === "mesh" && (buffers.triangles?.length ?? 0) > 3 * N_AT_ONCE;
     if (!this.isUnfinished) this.finish();
     const points = shape.points();
-    if (points && this.ownLine) this.group.add(new Points(points, this.ownLine));
+    if (points && this.ownLine) {
+      const own = new Points(points, this.ownLine);
+      own.onBeforeRender = () => this.wear();
+      this.group.add(own);
+    }
+  }
+
+  /** Puts its colour and width onto the material that it shares with others, before it is drawn. */
+  private wear(): void {
+    const { uniforms } = this.ownLine!;
+    uniforms.color.value = this.ownColor;
+    if (uniforms.width) uniforms.width.value = this.ownWidth;
+    this.ownLine!.uniformsNeedUpdate = true;
   }
 
   /** Adds the edges. */
@@ -109,6 +134,7 @@ export class DrawnItem {
     if (!lines) return;
     this.edges = new Mesh(lines, this.ownLine ?? this.overlays.edge);
     this.edges.renderOrder = 2;
+    if (this.ownLine) this.edges.onBeforeRender = () => this.wear();
     this.group.add(this.edges);
   }
 
@@ -133,8 +159,8 @@ export class DrawnItem {
       setOpacity(this.surface, settings.shade === "plain" ? (this.item.opacity ?? 1) : 1);
     }
     if (this.ownLine) {
-      this.ownLine.uniforms.color.value = look.isSelected ? palette.accent : colorOf(this.item, palette);
-      if (this.ownLine.uniforms.width) this.ownLine.uniforms.width.value = look.isSelected ? 3.25 : CURVE_LINE;
+      this.ownColor = look.isSelected ? palette.accent : colorOf(this.item, palette);
+      this.ownWidth = look.isSelected ? 3.25 : CURVE_LINE;
     } else if (this.edges) {
       // The creases of a mesh may be very many: its tint says that it is selected.
       const isBold = look.isSelected && this.item.kind !== "mesh";
@@ -142,7 +168,13 @@ export class DrawnItem {
       this.edges.material = isBold ? this.overlays.edgeSelected : this.overlays.edge;
     }
     const { shape, overlays } = this;
-    this.layer("isocurves", settings.isocurves, () => line(shape.part("isocurves"), overlays.isocurve, 1));
+    if (this.isocurvesOf !== look.isocurves) {
+      // Those that came with the item are its shape's.
+      this.drop("isocurves", this.isocurvesOf !== null);
+      this.drop("comb");
+      this.isocurvesOf = look.isocurves;
+    }
+    this.layer("isocurves", settings.isocurves, () => line(chosen(look.isocurves) ?? shape.part("isocurves"), overlays.isocurve, 1));
     this.layer("wires", settings.wireframe, () => line(shape.part("wires"), overlays.wires, 1));
     this.layer("net", settings.control, () => line(shape.part("net"), overlays.net, 4));
     this.layer("netDots", settings.control, () => dots(shape.controlPoints(), overlays.netDots, 5));
@@ -154,20 +186,20 @@ export class DrawnItem {
   dispose(): void {
     this.group.removeFromParent();
     this.surface?.dispose();
-    this.ownLine?.dispose();
     for (const layer of ["comb", "normals", "netDots", "knotDots"] as const) {
       this.layers.get(layer)?.geometry.dispose();
     }
+    if (this.isocurvesOf) this.layers.get("isocurves")?.geometry.dispose();
   }
 
   /** Overlays whose geometry depends on a length that the person chooses. */
   private applyMeasured(look: Look): void {
     const { settings } = look;
     const combOf = `${look.combLength} ${settings.combStride}`;
-    if (settings.combs && this.combOf !== combOf) this.drop("comb");
-    this.layer("comb", settings.combs, () => {
+    if (look.isCombed && this.combOf !== combOf) this.drop("comb");
+    this.layer("comb", look.isCombed, () => {
       this.combOf = combOf;
-      return line(this.shape.comb(look.combLength, settings.combStride), this.overlays.comb, 3);
+      return line(this.shape.comb(look.isocurves ?? this.shape.buffers, look.combLength, settings.combStride), this.overlays.comb, 3);
     });
     if (settings.normals && this.normalsOf !== look.normalLength) this.drop("normals");
     this.layer("normals", settings.normals, () => {
@@ -186,17 +218,15 @@ export class DrawnItem {
     if (made) made.visible = isOn;
   }
 
-  private drop(name: Layer): void {
+  private drop(name: Layer, isOwn = true): void {
     const made = this.layers.get(name);
     made?.removeFromParent();
-    made?.geometry.dispose();
+    if (isOwn) made?.geometry.dispose();
     this.layers.delete(name);
   }
 
   private makeOwn(): ShaderMaterial {
-    return this.shape.buffers.kind === "points"
-      ? dotMaterial(colorless(), 7)
-      : lineMaterial(colorless(), CURVE_LINE, 1, 0.00015);
+    return this.shape.buffers.kind === "points" ? this.overlays.ownDots : this.overlays.ownLine;
   }
 }
 
@@ -221,6 +251,12 @@ export function ghostOf(item: Item, shape: Shape, palette: Palette, overlays: Ov
   if (edges) group.add(edges);
   group.name = item.path;
   return group;
+}
+
+/** Lines that were asked for; null where none were. */
+function chosen(isocurves: Isocurves | null): BufferGeometry | null {
+  const ends = isocurves ? endsOf(isocurves.isocurves) : null;
+  return ends && ends.length > 0 ? segmentGeometry(ends) : null;
 }
 
 function line(geometry: BufferGeometry | null, material: ShaderMaterial, order: number): Mesh | null {

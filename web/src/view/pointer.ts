@@ -10,6 +10,8 @@ export interface PointerTarget {
   click(x: number, y: number, isAdding: boolean): void;
   doubleClick(x: number, y: number): void;
   settled(): void;
+  /** The pointer is over a pixel with no button down, or gone from the canvas. */
+  hover(place: [number, number] | null): void;
 }
 
 interface Contact {
@@ -36,7 +38,10 @@ export function follow(canvas: HTMLCanvasElement, target: PointerTarget): void {
   });
   canvas.addEventListener("pointermove", (event) => {
     const last = contacts.get(event.pointerId);
-    if (!last) return;
+    if (!last) {
+      if (event.pointerType === "mouse") target.hover(place(event));
+      return;
+    }
     const [dx, dy] = [event.clientX - last.x, event.clientY - last.y];
     wandered += Math.abs(dx) + Math.abs(dy);
     if (contacts.size === 2) pinch(event, last);
@@ -66,6 +71,7 @@ export function follow(canvas: HTMLCanvasElement, target: PointerTarget): void {
     }
     target.settled();
   };
+  canvas.addEventListener("pointerleave", () => target.hover(null));
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);
   canvas.addEventListener("dblclick", (event) => target.doubleClick(...place(event)));

@@ -4,6 +4,7 @@ import { BufferAttribute, BufferGeometry, type InstancedBufferGeometry } from "t
 import { MeshBVH } from "three-mesh-bvh";
 
 import type { Buffers } from "../model/bytes";
+import type { Isocurves } from "../model/isocurves";
 import { combEnds, isocombEnds } from "./combs";
 import { creaseEnds } from "./creases";
 import { knotLines, knotPoints } from "./knots";
@@ -63,11 +64,11 @@ export class Shape {
     return kind === "points" && positions ? dots(positions) : null;
   }
 
-  /** Teeth and outline of the comb; `scale` makes a length of a curvature. */
-  comb(scale: number, stride: number): InstancedBufferGeometry | null {
+  /** Teeth and outline of the comb of a curve, or of these isocurves; `scale` makes a length of a curvature. */
+  comb(isocurves: Isocurves, scale: number, stride: number): InstancedBufferGeometry | null {
     const ends = this.buffers.comb
       ? combEnds(this.buffers.edges[0], this.buffers.comb, scale, stride)
-      : isocombEnds(this.buffers, scale, stride);
+      : isocombEnds(isocurves, scale, stride);
     return ends.length > 0 ? segmentGeometry(ends) : null;
   }
 

@@ -5,6 +5,7 @@ import { Box3, Group, type Material, Mesh, Scene as ThreeScene, Vector3 } from "
 import type { Item, Stripes, Vector } from "../door/door";
 import { type Document, type Hit, now } from "../model/document";
 import { ExactStripes } from "../model/exactStripes";
+import { ChosenIsocurves } from "../model/isocurves";
 import type { Settings, SettingsSignal } from "../model/settings";
 import { Signal } from "../signal";
 import { SectionCaps } from "./caps";
@@ -17,6 +18,7 @@ import { Grid } from "./grid";
 import { cut, setCut, setMode, shared } from "./paint";
 import { Painter } from "./painter";
 import { pick } from "./pick";
+import { snapped } from "./snap";
 import { NAMED_VIEWS, type NamedView, type Pose, Rig } from "./rig";
 import { placeCut } from "./section";
 import { Shape } from "./shape";
@@ -38,6 +40,9 @@ export class Stage {
   readonly shell = new ShellLines();
   readonly caps = new SectionCaps();
   readonly exact: ExactStripes;
+  readonly isocurves: ChosenIsocurves;
+  /** Length of a tooth for a curvature of 1, in the document's units; 0 where there is no comb. */
+  readonly combLength = new Signal(0);
   private readonly stripeLines = new StripeLines();
   /** The range of the legend. */
   readonly range = new Signal<{ least: number; most: number; isAutomatic: boolean }>({
@@ -75,6 +80,8 @@ export class Stage {
     private readonly deviation: DeviationMap,
   ) {
     this.exact = new ExactStripes(doc, settings, () => this.stripes());
+    this.isocurves = new ChosenIsocurves(doc, settings);
+    this.isocurves.follow(() => this.restyle());
     this.painter = new Painter(canvas);
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
@@ -91,6 +98,7 @@ export class Stage {
     deviation.follow(() => this.restyle());
     doc.hit.follow(() => this.ask());
     doc.marks.follow(() => this.ask());
+    doc.lure.follow(() => this.ask());
     this.range.follow(() => this.ask());
   }
 
@@ -177,8 +185,16 @@ export class Stage {
     this.hasFitted ||= this.drawn.size > 0;
   }
 
+  /** What is under a pixel, drawn to an end, a knot, a corner or a vertex nearby where the person likes that. */
   pick(x: number, y: number): Hit | null {
-    return pick(this.drawn.values(), this.rig, x, y, cut.planes, this.caps);
+    const hit = pick(this.drawn.values(), this.rig, x, y, cut.planes, this.caps);
+    return this.settings.value.snap ? (snapped(this.drawn.values(), this.rig, x, y, cut.planes, hit) ?? hit) : hit;
+  }
+
+  /** The place that a click at a pixel would be drawn to. */
+  lure(x: number, y: number): Hit | null {
+    const hit = this.pick(x, y);
+    return hit?.snapped ? hit : null;
   }
 
   /** Forgets what was made of buffers that are gone. */
@@ -299,17 +315,22 @@ export class Stage {
     const bounds = this.doc.state.value?.bounds;
     const size = bounds ? new Vector3(...bounds[0]).distanceTo(new Vector3(...bounds[1])) : 1;
     const greatest = settings.combs ? this.greatestCurvature() : 0;
+    const combLength = greatest > 0 ? (settings.combScale * COMB_SHARE * size) / greatest : 0;
     for (const one of this.drawn.values()) {
+      const isSelected = this.doc.selection.value.has(one.item.path);
       one.apply({
         settings,
         palette: this.palette,
         isVisible: this.doc.isVisible(one.item),
-        isSelected: this.doc.selection.value.has(one.item.path),
-        combLength: greatest > 0 ? (settings.combScale * COMB_SHARE * size) / greatest : 0,
+        isSelected,
+        isocurves: this.isocurves.value.get(one.item.key) ?? null,
+        isCombed: settings.combs && combLength > 0 && (settings.combsOf === "all" || isSelected),
+        combLength,
         normalLength: NORMAL_SHARE * size,
         deviations: settings.shade === "deviation" ? this.deviation.value.values : null,
       });
     }
+    this.combLength.set(combLength);
     this.shell.show(settings.shell, [...this.drawn.values()], this.box());
     this.followRange(settings);
     this.ask();
@@ -317,7 +338,11 @@ export class Stage {
 
   private greatestCurvature(): number {
     let most = 0;
-    for (const { shape } of this.drawn.values()) most = Math.max(most, greatestCurvature(shape.buffers));
+    const { combsOf } = this.settings.value;
+    for (const { item, shape } of this.drawn.values()) {
+      if (!this.doc.isVisible(item) || (combsOf === "selection" && !this.doc.selection.value.has(item.path))) continue;
+      most = Math.max(most, greatestCurvature(shape.buffers));
+    }
     return most;
   }
 
