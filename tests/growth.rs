@@ -336,6 +336,28 @@ const SHAPES: &[Shape] = &[
         "",
         "",
     ),
+    (
+        "a region of many corners",
+        "let a = region(polyline([for i in 0..<@: polar(10, i * 360deg / @)], closed = true))\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "`union` of many discs",
+        "let a = union([for i in 0..<@: region(circle((i % 10, floor(i / 10)), 0.6))])\n",
+        "",
+        "",
+        "",
+    ),
+    (
+        "holes cut into a plate",
+        "let a = difference([region(polyline([(-1, -1), (10, -1), (10, @), (-1, @)], closed = true)), \
+         ...[for i in 0..<@: region(circle((i % 10, floor(i / 10)), 0.3))]])\n",
+        "",
+        "",
+        "",
+    ),
     ("`helix`", "let a = helix((0, 0), 1, 1, @)\n", "", "", ""),
 ];
 

@@ -87,6 +87,12 @@ impl Bounds {
         (self.min - slack).cmple(point).all() && point.cmple(self.max + slack).all()
     }
 
+    /// Whether another box is within this one, up to a distance.
+    #[must_use]
+    pub(crate) fn holds(self, other: Self, distance: f64) -> bool {
+        (self.min - distance).cmple(other.min).all() && other.max.cmple(self.max + distance).all()
+    }
+
     /// Whether both boxes are within the distance of one another along every axis.
     #[must_use]
     pub fn is_near(self, other: Self, distance: f64) -> bool {

@@ -58,6 +58,11 @@ impl BoxTree {
         Some(BoxNode { around, range, below: None })
     }
 
+    /// The box of a number.
+    pub(crate) fn bounds(&self, number: usize) -> Bounds {
+        self.boxes[number]
+    }
+
     /// The numbers of the boxes no further than a distance from a point, along the axes; in their order.
     pub(crate) fn beside(&self, point: DVec3, distance: f64) -> Vec<usize> {
         self.near(Bounds { min: point, max: point }, distance)

@@ -122,7 +122,7 @@ impl Server<'_> {
 
     pub(super) fn folds(&self, params: &FoldingRangeParams) -> Option<Vec<FoldingRange>> {
         let (_, document, places) = self.open(&params.text_document.uri)?;
-        let fold = |fold: ide::Fold| {
+        let fold = |fold: ide::FoldingRange| {
             let (start, end) = (places.position(fold.range.start), places.position(fold.range.end));
             let kind = match (fold.is_comment, fold.is_imports) {
                 (true, _) => Some(FoldingRangeKind::Comment),

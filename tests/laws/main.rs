@@ -51,6 +51,7 @@ mod primitive;
 mod quadric;
 mod real_networks;
 mod region;
+mod region_many;
 mod region_touch;
 mod seams;
 mod shape;

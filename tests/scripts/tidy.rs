@@ -54,7 +54,7 @@ const GUESTS: &[(&str, &[&str])] = &[
     ("png", &["src/export/raster/mod.rs", "src/export/raster/contact.rs"]),
     ("tobj", &["src/ops/mesh/obj.rs"]),
     ("ryu", &["src/export/text.rs", "src/syntax/print/flat.rs", "src/value/number.rs"]),
-    ("serde", &["src/lsp/", "src/value/read_json.rs"]),
+    ("serde", &["src/export/json.rs", "src/lsp/", "src/value/read_json.rs"]),
     ("manifold_rust", &["src/kernel/mesh/manifold_body.rs"]),
     ("spade", &["src/kernel/mesh/triangulation.rs"]),
 ];

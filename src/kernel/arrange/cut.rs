@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::{Apart, Arrangement, PlaneEdge, Ring, meet};
+use super::{Apart, Arrangement, PlaneEdge, Ring, meet, near::near_pairs};
 use crate::{
-    Bounds, GeomError, Interval, NurbsCurve,
+    GeomError, Interval, NurbsCurve,
     disjoint_sets::DisjointSets,
     frame::norm,
     side_by_side,
@@ -51,14 +51,14 @@ impl Arrangement {
             ends.map(|(parameter, point)| CutPoint { arc, parameter, point })
         });
         let mut cuts: Vec<CutPoint> = ends.collect();
-        let mut pairs = near_pairs(&arcs, tolerance);
-        pairs.retain(|&(i, j)| apart == Apart::Nothing || groups[i] != groups[j]);
+        let is_wanted = |i: usize, j: usize| apart == Apart::Nothing || groups[i] != groups[j];
+        let pairs = near_pairs(&arcs, is_wanted, tolerance)?;
         let n_threads = n_threads.min(pairs.len() / WORTH_A_THREAD + 1);
-        let found = side_by_side::map(&pairs, n_threads, |&(i, j)| match i == j {
+        let found = side_by_side::map(&pairs, n_threads, |&[i, j]| match i == j {
             true => meet::own_meetings(&arcs[i], tolerance),
             false => meet::meetings(&arcs[i], &arcs[j], tolerance),
         });
-        for ((i, j), found) in pairs.into_iter().zip(found) {
+        for ([i, j], found) in pairs.into_iter().zip(found) {
             for [s, t] in found? {
                 let (p, q) = (arcs[i].point_at(s), arcs[j].point_at(t));
                 let point = p.midpoint(q);
@@ -167,25 +167,6 @@ impl Arrangement {
     }
 }
 
-/// Pairs of arcs, each with itself too, whose boxes are within the tolerance of one another.
-fn near_pairs(arcs: &[NurbsCurve], tolerance: f64) -> Vec<(usize, usize)> {
-    let boxes: Vec<Bounds> = arcs.iter().map(NurbsCurve::bounds).collect();
-    let mut order: Vec<usize> = (0..boxes.len()).collect();
-    sort_by(&mut order, |&i, &j| boxes[i].min.x.total_cmp(&boxes[j].min.x));
-    let mut pairs = Vec::new();
-    for (place, &i) in order.iter().enumerate() {
-        let own = boxes[i];
-        let beside = order[place..].iter();
-        let beside = beside.take_while(|&&j| boxes[j].min.x <= own.max.x + tolerance);
-        let meets = |&&j: &&usize| {
-            boxes[j].min.y <= own.max.y + tolerance && own.min.y <= boxes[j].max.y + tolerance
-        };
-        pairs.extend(beside.filter(meets).map(|&j| (i.min(j), i.max(j))));
-    }
-    pairs.sort_unstable();
-    pairs
-}
-
 /// The vertices, and that of each cut: places within the tolerance of one another are one.
 fn vertices(cuts: &[CutPoint], tolerance: f64) -> (Vec<DVec3>, Vec<usize>) {
     let mut places = DisjointSets::new(cuts.len());
@@ -238,9 +219,14 @@ fn extent(curve: &NurbsCurve, interval: Interval) -> f64 {
 
 /// Whether an edge lies along another with the same ends: 1 if it runs with it, −1 if against it.
 fn sense_along(edge: &PlaneEdge, other: &PlaneEdge, tolerance: f64) -> Option<i32> {
+    let bounds = other.curve.bounds();
     let mut places = [0.0; 3];
     for (place, fraction) in places.iter_mut().zip([0.5, 0.25, 0.75]) {
         let point = edge.curve.point_at(edge.interval.at(fraction));
+        // Most arcs between the same ends bulge to either side.
+        if !bounds.contains(point, tolerance) {
+            return None;
+        }
         let nearest = other.curve.closest(point, tolerance);
         if tolerance < nearest.distance {
             return None;

@@ -1,5 +1,7 @@
 //! Where arcs meet: single places, and the ends of the stretches that they share.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 
 use super::touch::touch_of;
@@ -27,7 +29,10 @@ pub(super) fn meetings(
     let mut behind: Vec<DVec3> = Vec::new();
     while let Some(rest) = rests.pop() {
         GeomError::go_on(1)?;
-        let part = if rest == first.domain() { first.clone() } else { first.trimmed(rest)? };
+        let part = match rest == first.domain() {
+            true => Cow::Borrowed(first),
+            false => Cow::Owned(first.trimmed(rest)?),
+        };
         match part.intersections(second, tolerance) {
             Ok(meetings) => {
                 let is_new = |place: &&CurveIntersection| {

@@ -1,7 +1,7 @@
 //! Arcs in the plane z = 0, cut where they meet: what booleans, offsets and even-odd filling of plane
 //! regions are made of.
 //!
-//! `meet` finds where arcs meet, completely, with `touch` of crossings that are one touch; `cut` makes places within the tolerance one vertex and what
+//! `near` finds which arcs may meet, `meet` where they do, completely, with `touch` of crossings that are one touch; `cut` makes places within the tolerance one vertex and what
 //! lies along itself one edge; `ray` counts how often rings go around what is on either side of an edge;
 //! `walk` puts edges together to loops that run with the region to their left, `cell` to the loops around all
 //! that edges divide the plane into. An edge ends at vertices
@@ -11,6 +11,7 @@
 mod cell;
 mod cut;
 mod meet;
+mod near;
 mod ray;
 mod touch;
 mod walk;

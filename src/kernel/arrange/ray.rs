@@ -286,6 +286,11 @@ pub(crate) fn winding_about<'c>(
         for (i, arc) in arcs.iter().enumerate() {
             // The start of the next is the end of this one.
             let ends = [arc.start(), arcs[(i + 1) % arcs.len()].start()];
+            let around = arc.bounds().with(ends[0]).with(ends[1]);
+            let margin = NEAR_ROUNDINGS * LAST_BIT * around.magnitude();
+            if ray.misses(Bounds { min: around.min - margin, max: around.max + margin }) {
+                continue;
+            }
             for (part, ends, _) in pieces_of(arc, ends) {
                 sum += ray.crossings(&part, ends, HALVINGS)?;
             }

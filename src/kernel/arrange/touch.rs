@@ -25,6 +25,10 @@ pub(super) fn touch_of(
     crossing: [f64; 2],
     tolerance: f64,
 ) -> [f64; 2] {
+    // Straight legs run side by side all along or nowhere.
+    if first.degree() == 1 && second.degree() == 1 {
+        return crossing;
+    }
     let Some(touch) = side_by_side_near(first, second, crossing) else { return crossing };
     let is_on = |i: usize| {
         let way = i as f64 / WAY_PARTS as f64;

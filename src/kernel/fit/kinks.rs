@@ -17,6 +17,9 @@ const N_NEIGHBOURS: usize = 4;
 /// turn it.
 const APART: f64 = 8.0;
 
+/// Neighbours among points that are apart are close where they are no more than so many times as far as they must be.
+const CLOSE: f64 = 2.0;
+
 /// Indices of inner points at which the polygon of the points turns by much more than around them:
 /// a corner of a shape that is smooth beside it, and neither a tight bend nor noise within the tolerance.
 pub(super) fn kinks(points: &[DVec3], parameters: &[f64], tolerance: f64) -> Vec<usize> {
@@ -48,15 +51,24 @@ pub(super) fn kinks(points: &[DVec3], parameters: &[f64], tolerance: f64) -> Vec
         others.sort_by(f64::total_cmp);
         others.get(others.len() / 2).is_some_and(|usual| PROMINENCE * usual < turns[k])
     };
+    // Where points lie close together, what is between two that are just apart turns at both: a tip halfway between them
+    // is one corner.
+    let is_close = |k: usize| {
+        let way = points[apart[k + 1]].distance(points[apart[k + 2]]);
+        way <= CLOSE * APART * tolerance
+    };
+    let is_one = |&k: &usize, &next: &usize| next == k + 1 && is_close(k);
     // Of the points between those that are apart, the corner is the one furthest out.
-    let corner = |k: usize| {
-        let ends = [apart[k], apart[k + 2]];
+    let corner = |turned: &[usize]| {
+        let [first, last] = [turned[0], turned[turned.len() - 1]];
+        let ends = [apart[first], apart[last + 2]];
         let chord = points[ends[1]] - points[ends[0]];
         let out = |i: usize| chord.cross(points[i] - points[ends[0]]).length_squared();
         (ends[0] + 1..ends[1])
-            .fold(apart[k + 1], |best, i| if out(best) < out(i) { i } else { best })
+            .fold(apart[first + 1], |best, i| if out(best) < out(i) { i } else { best })
     };
-    let mut found: Vec<usize> = (0..turns.len()).filter(is_kink).map(corner).collect();
+    let turned: Vec<usize> = (0..turns.len()).filter(is_kink).collect();
+    let mut found: Vec<usize> = turned.chunk_by(is_one).map(corner).collect();
     found.dedup();
     found
 }
@@ -89,5 +101,17 @@ mod tests {
         assert!(of(&zigzag).is_empty());
         // Three points have one turn and nothing to compare it with.
         assert!(of(&tent[9..12]).is_empty());
+    }
+    #[test]
+    fn a_tip_between_points_that_lie_close_together_is_one_corner() {
+        let sides = |n_left_out: i32| {
+            let places = (n_left_out - 100..100).map(|i| 2e-4 * (f64::from(i) + 0.5));
+            places.map(|x| DVec3::new(x, -10.0 * x.abs(), 0.0)).collect::<Vec<_>>()
+        };
+        for n_left_out in 0..10 {
+            let points = sides(n_left_out);
+            let [tip] = of(&points)[..] else { panic!("one corner, {n_left_out} points left out") };
+            assert!((points[tip].x.abs() - 1e-4).abs() < 1e-12, "{}", points[tip]);
+        }
     }
 }

@@ -6,6 +6,7 @@ use super::{PlaneLoop, Region, RegionError, bounds_of, plane_of};
 use crate::{
     Frame, GeomError, NurbsCurve, Tolerance,
     arrange::{Apart, Arrangement, Ring, Windings},
+    box_tree::BoxTree,
     sorting::sort_by,
 };
 
@@ -147,19 +148,23 @@ pub(super) fn sorted(
             let (width, point) = (2.0 * area.abs() / length, frame.point(border.arcs[0].start()));
             return Err(RegionError::Thin { point, width, tolerance: distance }.into());
         }
-        if 0.0 < area { outer.push((area, border)) } else { holes.push(border) }
+        if 0.0 < area { outer.push((area, border)) } else { holes.push((area, border)) }
     }
     sort_by(&mut outer, |(a, one), (b, other)| {
         let [p, q] = [one, other].map(|border| border.bounds().min);
         b.total_cmp(a).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y))
     });
-    let mut parts: Vec<Vec<PlaneLoop>> =
-        outer.into_iter().map(|(_, border)| vec![border]).collect();
-    for hole in holes {
+    let tree = BoxTree::new(outer.iter().map(|(_, border)| border.bounds()).collect());
+    // Of each part its area, and its borders.
+    let mut parts: Vec<(f64, Vec<PlaneLoop>)> =
+        outer.into_iter().map(|(area, border)| (area, vec![border])).collect();
+    for (area, hole) in holes {
+        let bounds = hole.bounds();
         let mut around = None;
-        for (i, part) in parts.iter().enumerate().rev() {
-            if part[0].bounds_hold(&hole, 0.0) && part[0].holds(&hole)? {
-                around = Some(i);
+        for part in tree.near(bounds, 0.0).into_iter().rev() {
+            GeomError::go_on(1)?;
+            if tree.bounds(part).holds(bounds, 0.0) && parts[part].1[0].holds(&hole)? {
+                around = Some(part);
                 break;
             }
         }
@@ -167,14 +172,12 @@ pub(super) fn sorted(
             let point = frame.point(hole.arcs[0].start());
             return Err(RegionError::Unclear { point }.into());
         };
-        parts[around].push(hole);
+        parts[around].0 += area;
+        parts[around].1.push(hole);
     }
-    let mut regions: Vec<Region> = parts.into_iter().map(|loops| Region { frame, loops }).collect();
-    let mut areas: Vec<(f64, usize)> =
-        regions.iter().enumerate().map(|(i, region)| (region.area(), i)).collect();
-    sort_by(&mut areas, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut taken: Vec<Option<Region>> = regions.drain(..).map(Some).collect();
-    Ok(areas.into_iter().filter_map(|(_, i)| taken[i].take()).collect())
+    // Those before are larger where that is all the same.
+    sort_by(&mut parts, |a, b| b.0.total_cmp(&a.0));
+    Ok(parts.into_iter().map(|(_, loops)| Region { frame, loops }).collect())
 }
 
 /// Places of what was found in a plane, in space.

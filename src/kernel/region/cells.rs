@@ -64,7 +64,7 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
             // What hangs on a part in vertices alone may be a hole of it; along an edge they are neighbours.
             let is_beside =
                 || steps.iter().any(|(edge, _)| outer_edges[i].binary_search(edge).is_ok());
-            let may = is_smaller && outer.bounds_hold(&hole, distance);
+            let may = is_smaller && outer.bounds().holds(hole.bounds(), distance);
             if may && !(*own == component && is_beside()) && outer.holds(&hole)? {
                 around = Some(i);
             }

@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use super::Region;
+use super::{PlaneLoop, Region};
 use crate::{
     GeomError, PictureError,
     arrange::{Apart, Arrangement, Ring},
+    box_tree::BoxTree,
 };
 
 impl Region {
@@ -50,14 +51,19 @@ impl Region {
     /// # Errors
     /// [`PictureError::Outside`], [`PictureError::HoleInHole`].
     pub(super) fn check_nesting(&self) -> Result<(), GeomError> {
-        for (index, hole) in self.loops.iter().enumerate().skip(1) {
+        let holes = &self.loops[1..];
+        let tree = BoxTree::new(holes.iter().map(PlaneLoop::bounds).collect());
+        for (number, hole) in holes.iter().enumerate() {
+            GeomError::go_on(1)?;
+            let index = number + 1;
             if !self.loops[0].holds(hole)? {
                 return Err(PictureError::Outside { index }.into());
             }
-            for (other, border) in self.loops.iter().enumerate().skip(1) {
-                let may = index != other && border.bounds_hold(hole, 0.0);
-                if may && border.holds(hole)? {
-                    return Err(PictureError::HoleInHole { index, other }.into());
+            let bounds = tree.bounds(number);
+            for other in tree.near(bounds, 0.0) {
+                let may = number != other && tree.bounds(other).holds(bounds, 0.0);
+                if may && holes[other].holds(hole)? {
+                    return Err(PictureError::HoleInHole { index, other: other + 1 }.into());
                 }
             }
         }

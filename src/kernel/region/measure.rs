@@ -229,9 +229,9 @@ fn leg(from: DVec3, to: DVec3) -> Moments {
 fn over(arc: &NurbsCurve, about: DVec3, interval: Interval) -> Moments {
     let mut sum = Moments::default();
     for (t, weight) in nodes(&SIXTEEN_NODES, interval) {
-        let derivatives = arc.derivatives_at(t, 1);
-        let factor = weight * interval.length() * derivatives[1].y;
-        add(&mut sum, integrands(derivatives[0] - about).map(|value| value * factor));
+        let [point, velocity] = arc.velocity_at(t);
+        let factor = weight * interval.length() * velocity.y;
+        add(&mut sum, integrands(point - about).map(|value| value * factor));
     }
     sum
 }

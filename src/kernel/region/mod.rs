@@ -300,12 +300,6 @@ impl PlaneLoop {
         }
         Err(RegionError::Unclear { point: first.unwrap_or(DVec3::ZERO) }.into())
     }
-
-    /// Whether the box of another one is within that of this one, up to a distance.
-    fn bounds_hold(&self, other: &Self, distance: f64) -> bool {
-        let (own, others) = (self.bounds(), other.bounds());
-        (own.min - distance).cmple(others.min).all() && others.max.cmple(own.max + distance).all()
-    }
 }
 
 /// A curve brought into the plane z = 0.

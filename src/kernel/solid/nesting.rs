@@ -107,7 +107,7 @@ impl Solid {
         for (i, own) in boxes.iter().enumerate() {
             let mut around = Vec::new();
             for (j, other) in boxes.iter().enumerate().filter(|&(j, _)| j != i) {
-                if holds(*other, *own) && self.is_within([i, j], tolerance)? {
+                if other.holds(*own, 0.0) && self.is_within([i, j], tolerance)? {
                     around.push(j);
                 }
             }
@@ -170,11 +170,6 @@ impl Solid {
         }
         Ok(0.0 < flux)
     }
-}
-
-/// Whether a box holds another one.
-fn holds(outer: Bounds, inner: Bounds) -> bool {
-    outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all()
 }
 
 /// A place that two faces have in common.

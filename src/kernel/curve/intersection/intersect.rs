@@ -8,11 +8,13 @@
 
 mod contact;
 mod distinct;
+mod ends;
 mod joined;
 mod meeting;
 pub(in crate::curve) mod newton;
 mod pairs;
 mod shared;
+mod straight;
 
 pub use self::meeting::CurveIntersection;
 
@@ -22,6 +24,7 @@ use self::{
     meeting::{ContactInterval, IntersectionSearch, ReportedIntersection},
     newton::{beside, nearest_on, nearest_step},
     pairs::{PartPair, near_crossing},
+    straight::LegMeeting,
 };
 use crate::{
     Bounds, GeomError, Interval,
@@ -79,6 +82,11 @@ impl NurbsCurve {
             return found;
         }
         let mut search = IntersectionSearch::new(self, other, tolerance, *left);
+        match search.leg_meeting() {
+            Some(LegMeeting::Apart) => return Ok(Vec::new()),
+            Some(LegMeeting::At(meeting)) => return Ok(vec![meeting]),
+            None => {}
+        }
         let pairs = search.near_pairs()?;
         *left = search.run(pairs)?;
         search.finish()
@@ -200,6 +208,10 @@ impl<'c> IntersectionSearch<'c> {
             && let Some(start) = near_crossing(a, b)
             && let Some(meeting) = self.crossing([a.interval, b.interval], start)
         {
+            self.meetings.push(ReportedIntersection::crossing(meeting));
+            return true;
+        }
+        if let Some(meeting) = self.end_joint(a, b) {
             self.meetings.push(ReportedIntersection::crossing(meeting));
             return true;
         }

@@ -150,6 +150,11 @@ impl DirectionCone {
         self.angle.is_some_and(|angle| angle <= std::f64::consts::FRAC_PI_4)
     }
 
+    /// The opposite directions.
+    pub(crate) fn reversed(self) -> Self {
+        Self { axis: -self.axis, ..self }
+    }
+
     /// A cone around both.
     pub(crate) fn with(self, other: Self) -> Self {
         let (Some(own), Some(others)) = (self.angle, other.angle) else { return Self::EVERYTHING };
