@@ -207,3 +207,6 @@ pub(crate) const KNOT_STEPS: usize = 40;
 
 /// Halvings of a piece of a curve beside a place where it stands still, where it has no tangent to look at.
 pub(crate) const DUAL_HALVINGS: usize = 20;
+
+/// Halvings of a piece of an arc of parameters that is written; beside a pole it turns within a small part.
+pub(crate) const WRITTEN_HALVINGS: usize = 14;

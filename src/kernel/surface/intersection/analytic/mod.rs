@@ -10,8 +10,10 @@
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
 //! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
 //! planes cut them, `coaxial` the circles in which those about one axis cross.
+//! `chart` has the parameters that files give them.
 
 mod apart;
+mod chart;
 mod coaxial;
 mod conic;
 mod equation;
@@ -19,6 +21,7 @@ mod plane;
 mod quadric;
 mod revolved;
 
+pub use chart::AnalyticChart;
 pub use quadric::QuadricKind;
 
 use glam::DVec4;
