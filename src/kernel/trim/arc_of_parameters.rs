@@ -69,7 +69,9 @@ impl ParameterArc {
         } else {
             let least = PARAMETER_RELATIVE * domain.length();
             let breaks = self.curve.knots().breaks();
-            let is_beside = |end: f64| breaks.iter().any(|&t| t != end && (t - end).abs() <= least);
+            let is_beside = |end: f64| {
+                breaks.iter().any(|&t| 0.0 < (t - end).abs() && (t - end).abs() <= least)
+            };
             if is_beside(low) || is_beside(high) {
                 return None;
             }

@@ -19,6 +19,10 @@ use super::{arc_of_parameters::ParameterArc, pull::chebyshev_fraction};
 /// The degree of the polynomials.
 const DEGREE: usize = 7;
 
+/// Halvings after which each must bring a piece nearer by a factor.
+const LEAST_HALVINGS: usize = 3;
+const GAIN: f64 = 0.7;
+
 /// Fractions of a piece at which it is compared with the arc.
 const COMPARED_AT: [f64; 4] = [0.02, 0.3, 0.55, 0.9];
 
@@ -292,18 +296,22 @@ impl FollowedArc<'_> {
         let mut knots = vec![self.path.domain().start(); DEGREE + 1];
         let mut points: Vec<DVec3> = Vec::new();
         for pair in self.stops().windows(2) {
-            let mut left = vec![(pair[0], pair[1], 0)];
-            while let Some((one, other, n_halvings)) = left.pop() {
+            let mut left = vec![(pair[0], pair[1], 0, f64::INFINITY)];
+            while let Some((one, other, n_halvings, before)) = left.pop() {
                 GeomError::go_on(DEGREE)?;
                 let (piece, gap) = self.piece(one, other, &inverse);
-                if finest < gap && n_halvings < WRITTEN_HALVINGS {
+                // Where halves are no nearer than the whole was, their halves are not either.
+                let gains = n_halvings < LEAST_HALVINGS || gap < GAIN * before;
+                if finest < gap && gains && n_halvings < WRITTEN_HALVINGS {
                     let t = 0.5 * (one[0] + other[0]);
                     let middle = [t, self.arc_parameter(t, [one[1], other[1]], 0.5)];
-                    left.extend([(middle, other, n_halvings + 1), (one, middle, n_halvings + 1)]);
+                    left.extend([
+                        (middle, other, n_halvings + 1, gap),
+                        (one, middle, n_halvings + 1, gap),
+                    ]);
                     continue;
                 }
-                // Not a number is no answer either.
-                if !(gap <= 2.0 * EDGE_SHARE * self.distance) {
+                if 2.0 * EDGE_SHARE * self.distance < gap {
                     return Ok(None);
                 }
                 points.extend(piece.iter().skip(usize::from(!points.is_empty())));
