@@ -72,7 +72,7 @@ pub use outcome::{
     TestOutcome,
 };
 pub(crate) use param::param_kind;
-pub use run::evaluate;
 pub(crate) use relative_files::RelativeFiles;
+pub use run::evaluate;
 pub use schema::{Schema, SchemaParameter, parameters};
 pub use settings::{Purpose, Setting, Settings, TestFilter};

@@ -46,7 +46,7 @@
 //!   [`NurbsCurve::cusps`]; [`Surface::umbilics`], [`Surface::defects`].
 //! - How measures go with control points that vary: [`VariedCurve`], [`VariedSurface`] of [`PointSlopes`].
 //! - Joints: [`Curve::continuity_with`], [`Surface::continuity_with`], [`Curve::continuity`].
-//! - What it is: [`NurbsCurve::analytic`], [`NurbsCurve::conic_kind`], [`NurbsSurface::analytic`], [`NurbsSurface::quadric`],
+//! - What it is: [`NurbsCurve::analytic`], [`NurbsCurve::conic_kind`], [`NurbsSurface::analytic`] with [`NurbsSurface::analytic_chart`], [`NurbsSurface::quadric`],
 //!   [`Curve::is_planar`], [`Surface::is_developable`].
 //!
 //! ## Intersect
@@ -82,7 +82,7 @@
 //! ## Parts of surfaces
 //!
 //! - [`Face`]: [`Face::whole`], [`Face::within`] loops of parameters, [`Face::bounded`] by loops in space, its [parts](FacePart);
-//!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::edges`], [`Face::part_edges`] by [`FaceEdge`]s, [`Face::clipped`] curves;
+//!   [`Face::split`] by [`Cutter`]s, [`Face::part_at`], [`Face::beside_plane`]; [`Face::edges`], [`Face::part_edges`] by [`FaceEdge`]s, as files have them by [`FaceChart::along`] an [`EdgePath`], [`Face::clipped`] curves;
 //!   [`Face::mass`], [`Face::enclosed_mass`], [`Face::bounds`], [`Face::closest`] with its [`FaceClosestPoint`], [`Face::side_of`], [`Face::side_of_parameters`], the [`AreaStrip`]s of either.
 //! - What is refused: [`FaceError`].
 //!
@@ -226,13 +226,13 @@ pub use skin::{
 };
 pub use solid::{
     CurveSolidIntersection, EdgeAngles, Solid, SolidBody, SolidClosestPoint, SolidContents,
-    SolidEdge, SolidError, SolidTopology,
+    SolidEdge, SolidError, SolidStep, SolidTopology,
 };
 pub use surface::{
-    AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields, CurveSurfaceIntersection,
-    Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties, NurbsSurface,
-    ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind, ShellError,
-    SignedVolume, Surface, SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects,
+    AnalyticChart, AnalyticForm, AnalyticSurface, Axis, AxisContact, Blend, CrossFields,
+    CurveSurfaceIntersection, Direction, Edge, FocalPoint, GridSamples, LevelSet, MassProperties,
+    NurbsSurface, ParametricPlaces, ParametricSurface, PictureError, Principal, QuadricKind,
+    ShellError, SignedVolume, Surface, SurfaceClosestPoint, SurfaceContinuity, SurfaceDefects,
     SurfaceEvaluator, SurfaceFunction, SurfaceOffset, SurfacePointKind, SurfaceShape, Twists,
     area_mass, facing_unlike, join_patches, make_surfaces_compatible, signed_volume, volume_mass,
 };
@@ -244,9 +244,9 @@ pub use sweep::{
 pub use table::{Column, NamedColumn, Table};
 pub use tolerance::Tolerance;
 pub use trim::{
-    AreaStrip, CurveEnd, Cutter, Face, FaceClosestPoint, FaceContinuity, FaceEdge, FaceError,
-    FacePart, SurfaceCurve, SurfaceCurveKind, SurfacePiece, pieces_facing_unlike,
-    tessellate_together,
+    AreaStrip, CurveEnd, Cutter, EdgePath, Face, FaceChart, FaceClosestPoint, FaceContinuity,
+    FaceEdge, FaceError, FacePart, ParameterArc, SurfaceCurve, SurfaceCurveKind, SurfacePiece,
+    pieces_facing_unlike, tessellate_together,
 };
 pub use varied::{
     PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion, VariedSolid, VariedSurface,

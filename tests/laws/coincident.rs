@@ -83,7 +83,7 @@ fn check(
         let solid = solid.transformed(&(place * moves(n))).unwrap();
         for (is_inside, (amount, n_parts)) in [true, false].into_iter().zip(wanted) {
             let parts = solid.parts_of(&face, is_inside, tolerance);
-            let parts = parts.unwrap_or_else(|error| panic!("{n}, {is_inside}: {error}"));
+            let Ok(parts) = parts else { panic!("{n}, {is_inside}: {parts:?}") };
             let found = area(&parts) / (scale * scale);
             assert_eq!(parts.len(), n_parts, "{n}, {is_inside}: {found} for {amount}");
             assert!((found - amount).abs() < 1e-9, "{n}, {is_inside}: {found} for {amount}");
@@ -196,7 +196,7 @@ fn gaps_are_within_the_tolerance_or_tell() {
     for (n, place, scale, tolerance) in placements() {
         for digits in [9.0, 7.0, 6.3, 6.0, 5.5, 4.0] {
             for sign in [1.0, -1.0] {
-                let gap = sign * 10.0_f64.powf(-digits);
+                let gap = sign * libm::pow(10.0, -digits);
                 let sunk = place * DAffine3::from_translation(DVec3::Z * gap);
                 let wider = place * DAffine3::from_scale(DVec3::new(1.0 - gap, 1.0 - gap, 1.0));
                 let cases =

@@ -236,7 +236,7 @@ fn strips_and_wedges(corners: &[(f64, f64)], d: f64, style: CornerStyle) -> Vec<
     let n = corners.len();
     let along = |i: usize| {
         let ((x0, y0), (x1, y1)) = (corners[i % n], corners[(i + 1) % n]);
-        let length = (x1 - x0).hypot(y1 - y0);
+        let length = libm::hypot(x1 - x0, y1 - y0);
         ((x1 - x0) / length, (y1 - y0) / length)
     };
     let mut covered = Vec::new();
@@ -249,8 +249,8 @@ fn strips_and_wedges(corners: &[(f64, f64)], d: f64, style: CornerStyle) -> Vec<
             continue;
         }
         let (from, to) = (beside(corner, a), beside(corner, b));
-        let half = 0.5 * (a.0 * b.0 + a.1 * b.1).clamp(-1.0, 1.0).acos();
-        let on = d.abs() * half.tan().min((10.0 - half.cos()) / half.sin());
+        let half = 0.5 * libm::acos((a.0 * b.0 + a.1 * b.1).clamp(-1.0, 1.0));
+        let on = d.abs() * libm::tan(half).min((10.0 - libm::cos(half)) / libm::sin(half));
         covered.push(match style {
             CornerStyle::Miter => {
                 let tips =

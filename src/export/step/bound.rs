@@ -17,7 +17,11 @@ pub(super) struct LoopStep {
 }
 
 /// The bounds of a part of a surface, the outer one first where there is one.
-pub(super) fn bounds(loops: &[Vec<LoopStep>], carrier: &Carrier, file: &mut Records) -> Vec<Id> {
+pub(super) fn bounds(
+    loops: &[Vec<LoopStep>],
+    carrier: &Carrier<'_>,
+    file: &mut Records,
+) -> Vec<Id> {
     let turns_back = loops.iter().map(|steps| n_turns_back(steps)).sum::<usize>();
     let rest = if carrier.is_sphere && 1 < turns_back { without_seams(loops) } else { Vec::new() };
     let has_outer = rest.is_empty();

@@ -12,11 +12,13 @@ pub(super) struct Id(usize);
 pub(super) struct Records {
     pub(super) text: TextBuffer,
     n_records: usize,
+    /// The context of curves of parameters, once there is one.
+    plane: Option<Id>,
 }
 
 impl Records {
     pub(super) fn new() -> Self {
-        Self { text: TextBuffer::default(), n_records: 0 }
+        Self { text: TextBuffer::default(), n_records: 0, plane: None }
     }
 
     /// A record of what `write` writes.
@@ -64,6 +66,26 @@ impl Records {
         self.list(&point.to_array(), |records, &x| {
             records.real(x);
         })
+    }
+
+    /// The coordinates of a place in the plane of parameters.
+    pub(super) fn pair(&mut self, place: DVec3) -> &mut Self {
+        self.list(&[place.x, place.y], |records, &x| {
+            records.real(x);
+        })
+    }
+
+    /// The context of curves of parameters, of which one is enough.
+    pub(super) fn plane_of_parameters(&mut self) -> Id {
+        if let Some(id) = self.plane {
+            return id;
+        }
+        let id = self.add(|r| {
+            r.text("(GEOMETRIC_REPRESENTATION_CONTEXT(2)PARAMETRIC_REPRESENTATION_CONTEXT()");
+            r.text("REPRESENTATION_CONTEXT('2D SPACE',''))");
+        });
+        self.plane = Some(id);
+        id
     }
 
     /// A list in brackets.

@@ -4,13 +4,14 @@
 //! are their border lines, parts of surfaces as faces within their loops, solids as closed shells whose
 //! faces share their edges, curves and points as a set. What is a line, circle, plane, cylinder, cone,
 //! sphere or torus is written as that, all else as B-splines. `entity` writes records of
-//! ISO 10303-21, `shape` those of topology and B-splines, `bound` what bounds faces, `face` parts of surfaces, `solid` bodies, `form` those of geometry with an equation
+//! ISO 10303-21, `shape` those of topology and B-splines, `pcurve` edges by the parameters of their surfaces, `bound` what bounds faces, `face` parts of surfaces, `solid` bodies, `form` those of geometry with an equation
 //! (both ISO 10303-42), `style` colours and layers (ISO 10303-46).
 
 mod bound;
 mod entity;
 mod face;
 mod form;
+mod pcurve;
 mod place;
 mod shape;
 mod solid;
@@ -139,7 +140,7 @@ impl StepDocument {
                         models.push(model);
                     }
                     Exact::Face(surface, parts) => {
-                        let (model, faces) = face::model(item, &surface, &parts, job, file);
+                        let (model, faces) = face::model(item, &surface, &parts, job, file)?;
                         looks.surface(item, &faces, model, file);
                         models.push(model);
                     }

@@ -8,10 +8,11 @@ use super::{
     super::{ExportError, Item, Job},
     entity::{Id, Records},
     form,
+    pcurve::edge_in_space,
     place::point,
 };
 use crate::kernel::{
-    AnalyticCurve, AnalyticForm, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
+    AnalyticCurve, AnalyticForm, FaceChart, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
     sorting::sort_by,
 };
 
@@ -24,8 +25,18 @@ pub(super) fn curve(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
 }
 
 /// A B-spline with knots, rational where its weights differ.
-fn spline(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
-    let points: Vec<Id> = curve.points().into_iter().map(|p| point("", p, file)).collect();
+pub(super) fn spline(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
+    spline_through(name, curve, |at, file| point("", at, file), file)
+}
+
+/// The same with control points that are written in another way.
+pub(super) fn spline_through(
+    name: &str,
+    curve: &NurbsCurve,
+    mut write: impl FnMut(DVec3, &mut Records) -> Id,
+    file: &mut Records,
+) -> Id {
+    let points: Vec<Id> = curve.points().into_iter().map(|p| write(p, file)).collect();
     let knots = curve.knots();
     let is_closed = curve.start() == curve.end();
     file.add(|r| {
@@ -134,8 +145,10 @@ pub(super) fn model(
 }
 
 /// The surface of faces.
-pub(super) struct Carrier {
-    id: Id,
+pub(super) struct Carrier<'a> {
+    pub(super) id: Id,
+    /// How it has parameters; those of a plane nobody needs.
+    pub(super) chart: Option<FaceChart<'a>>,
     /// Whether its normal is that of the parametrization.
     is_outward: bool,
     is_flat: bool,
@@ -143,15 +156,18 @@ pub(super) struct Carrier {
 }
 
 /// A surface without borders: by its equation where it has one.
-pub(super) fn carrier(
+pub(super) fn carrier<'a>(
     name: &str,
-    geometry: &NurbsSurface,
+    geometry: &'a NurbsSurface,
     same: f64,
     file: &mut Records,
-) -> Carrier {
+) -> Carrier<'a> {
+    let chart = |equation| FaceChart { surface: geometry, equation };
     match geometry.analytic(same) {
         Some(found) => Carrier {
             id: form::surface(name, &found, file),
+            chart: (found.form != AnalyticForm::Plane)
+                .then(|| chart(Some(geometry.analytic_chart(&found)))),
             is_outward: found.is_outward,
             is_flat: found.form == AnalyticForm::Plane,
             is_sphere: matches!(found.form, AnalyticForm::Sphere { .. }),
@@ -160,6 +176,7 @@ pub(super) fn carrier(
             let closed = [geometry.is_closed_u(same), geometry.is_closed_v(same)];
             Carrier {
                 id: surface(name, geometry, closed, file),
+                chart: Some(chart(None)),
                 is_outward: true,
                 is_flat: false,
                 is_sphere: false,
@@ -169,7 +186,7 @@ pub(super) fn carrier(
 }
 
 /// A face within its bounds.
-pub(super) fn face(name: &str, bounds: &[Id], carrier: &Carrier, file: &mut Records) -> Id {
+pub(super) fn face(name: &str, bounds: &[Id], carrier: &Carrier<'_>, file: &mut Records) -> Id {
     file.add(|r| {
         r.text("ADVANCED_FACE(").string(name).text(",").ids(bounds).text(",").id(carrier.id);
         r.text(",").truth(carrier.is_outward).text(")");
@@ -230,15 +247,20 @@ impl FaceBound {
 
     /// The edge along a line; none along a point.
     fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Option<Id> {
-        (self.edges.same < line.bounds().diagonal()).then(|| self.edges.edge(line, file).0)
+        (self.edges.same < line.bounds().diagonal()).then(|| self.edges.edge(line, file))
     }
 }
 
 impl BorderEdges {
-    /// The edge along a line, and the vertices where it starts and ends.
-    pub(super) fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> (Id, [Id; 2]) {
-        let ends = [line.start(), line.end()].map(|end| self.vertex(end, file));
-        (edge_curve(line, ends, file), ends)
+    /// The edge along a line.
+    fn edge(&mut self, line: &NurbsCurve, file: &mut Records) -> Id {
+        let ends = self.ends(line, file);
+        edge_in_space(line, ends, file)
+    }
+
+    /// The vertices where a line starts and ends.
+    pub(super) fn ends(&mut self, line: &NurbsCurve, file: &mut Records) -> [Id; 2] {
+        [line.start(), line.end()].map(|end| self.vertex(end, file))
     }
 
     fn vertex(&mut self, at: DVec3, file: &mut Records) -> Id {
@@ -252,17 +274,6 @@ impl BorderEdges {
     }
 }
 
-/// An edge along a curve between two vertices.
-pub(super) fn edge_curve(curve: &NurbsCurve, [from, to]: [Id; 2], file: &mut Records) -> Id {
-    let basis = match curve.analytic().filter(|found| is_whole(found) == (from == to)) {
-        Some(found) => form::unbounded("", &found, file),
-        None => spline("", curve, file),
-    };
-    file.add(|r| {
-        r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
-    })
-}
-
 pub(super) fn vertex(at: DVec3, file: &mut Records) -> Id {
     let place = point("", at, file);
     file.add(|r| {
@@ -271,7 +282,7 @@ pub(super) fn vertex(at: DVec3, file: &mut Records) -> Id {
 }
 
 /// Whether it is all of a circle, which has one vertex.
-fn is_whole(curve: &AnalyticCurve) -> bool {
+pub(super) fn is_whole(curve: &AnalyticCurve) -> bool {
     matches!(curve, AnalyticCurve::Circle { turn, .. } if TAU <= *turn)
 }
 

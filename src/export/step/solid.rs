@@ -7,9 +7,10 @@ use super::{
     },
     bound::{LoopStep, bounds},
     entity::{Id, Records},
-    shape::{carrier, edge_curve, face, vertex},
+    pcurve::{EdgeSide, edge_curve},
+    shape::{Carrier, carrier, face, vertex},
 };
-use crate::kernel::{Solid, Tolerance};
+use crate::kernel::{NurbsSurface, Solid, SolidStep, Tolerance};
 
 /// The bodies of a solid, each a closed shell with its voids; an edge that two faces have in common stands once. The
 /// models, each with its faces.
@@ -21,25 +22,39 @@ pub(super) fn models(
 ) -> Result<Vec<(Id, Vec<Id>)>, ExportError> {
     let ExactSolid { carriers, topology, bodies } = exact_solid(item, solid, job)?;
     let vertices: Vec<Id> = topology.vertices.iter().map(|&at| vertex(at, file)).collect();
-    let edges = topology.edges.iter();
-    let edges = edges.map(|edge| edge_curve(&edge.curve, edge.vertices.map(|i| vertices[i]), file));
-    let edges: Vec<Id> = edges.collect();
-    let mut faces: Vec<Vec<Id>> = Vec::with_capacity(carriers.len());
-    for (surface, parts) in carriers.iter().zip(&topology.loops) {
+    let same = |surface: &NurbsSurface| {
         let same = Tolerance::DEFAULT.with_distance(job.precision);
-        let same = same.distance_for(surface.bounds().diagonal());
-        let carrier = carrier(&item.name, surface, same, file);
+        same.distance_for(surface.bounds().diagonal())
+    };
+    let carriers = carriers.iter().map(|surface| carrier(&item.name, surface, same(surface), file));
+    let carriers: Vec<Carrier<'_>> = carriers.collect();
+    let mut sides: Vec<Vec<EdgeSide<'_>>> = topology.edges.iter().map(|_| Vec::new()).collect();
+    for (carrier, parts) in carriers.iter().zip(&topology.loops) {
+        for step in parts.iter().flatten().flatten() {
+            let arc = &step.parameters;
+            let arc = if step.is_along { arc.clone() } else { arc.reversed() };
+            sides[step.edge].push(EdgeSide { carrier, arc });
+        }
+    }
+    let mut edges: Vec<Id> = Vec::with_capacity(topology.edges.len());
+    for (edge, sides) in topology.edges.iter().zip(&sides) {
+        let ends = edge.vertices.map(|i| vertices[i]);
+        let blame = |source| ExportError::Geometry { name: item.name.clone(), source };
+        edges.push(edge_curve(&edge.curve, ends, sides, job.precision, file).map_err(blame)?);
+    }
+    let mut faces: Vec<Vec<Id>> = Vec::with_capacity(carriers.len());
+    for (carrier, parts) in carriers.iter().zip(&topology.loops) {
         let mut of_face = Vec::with_capacity(parts.len());
         for loops in parts {
-            let step = |&(edge, is_along): &(usize, bool)| {
+            let step = |&SolidStep { edge, is_along, .. }: &SolidStep| {
                 let [from, to] = topology.edges[edge].vertices.map(|i| vertices[i]);
                 let ends = if is_along { [from, to] } else { [to, from] };
                 LoopStep { edge: edges[edge], is_along, ends }
             };
             let steps = loops.iter().map(|steps| steps.iter().map(step).collect());
             let steps: Vec<Vec<LoopStep>> = steps.collect();
-            let bounds = bounds(&steps, &carrier, file);
-            of_face.push(face(&item.name, &bounds, &carrier, file));
+            let bounds = bounds(&steps, carrier, file);
+            of_face.push(face(&item.name, &bounds, carrier, file));
         }
         faces.push(of_face);
     }

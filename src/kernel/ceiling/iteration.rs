@@ -210,3 +210,6 @@ pub(crate) const DUAL_HALVINGS: usize = 20;
 
 /// Finer tolerances within which the edges of a solid are compared for its volume.
 pub(crate) const VOLUME_REFINEMENTS: usize = 16;
+
+/// Halvings of a piece of an arc of parameters that is written; beside a pole it turns within a small part.
+pub(crate) const WRITTEN_HALVINGS: usize = 14;

@@ -36,7 +36,7 @@ pub use error::SolidError;
 pub use nesting::SolidBody;
 pub use piercing::CurveSolidIntersection;
 pub use place::SolidClosestPoint;
-pub use topology::{SolidEdge, SolidTopology};
+pub use topology::{SolidEdge, SolidStep, SolidTopology};
 
 /// What faces enclose that close: every place of every edge lies on one other edge.
 ///

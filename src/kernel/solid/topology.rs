@@ -4,14 +4,14 @@
 //! vertices that run along one another are one edge. An edge is gone along twice, once in each sense, as seams are
 //! by one face.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 use glam::DVec3;
 
 use super::{Solid, SolidError, box_around};
 use crate::{
-    Bounds, GeomError, Interval, NurbsCurve, Tolerance, disjoint_sets::DisjointSets, mesh::welded,
-    sorting::sort_by, tolerance::PARAMETER_RELATIVE,
+    Bounds, FaceEdge, GeomError, Interval, NurbsCurve, ParameterArc, Tolerance,
+    disjoint_sets::DisjointSets, mesh::welded, sorting::sort_by, tolerance::PARAMETER_RELATIVE,
 };
 
 /// Edges and vertices of a solid, and how its faces go along them.
@@ -32,9 +32,8 @@ pub struct SolidTopology {
     pub vertices: Vec<DVec3>,
     /// Each once.
     pub edges: Vec<SolidEdge>,
-    /// For each face the loops of each of its parts: the edges by their numbers, and whether it runs along them.
-    /// Edges that are points are left out.
-    pub loops: Vec<Vec<Vec<Vec<(usize, bool)>>>>,
+    /// For each face the loops of each of its parts. Edges that are points are left out.
+    pub loops: Vec<Vec<Vec<Vec<SolidStep>>>>,
     n_shells: usize,
     /// How far ends of edges that are one vertex are apart at most.
     pub(super) welded: f64,
@@ -61,6 +60,30 @@ pub struct SolidEdge {
     pub faces: [usize; 2],
 }
 
+/// An edge that a face goes along.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{Face, Frame, NurbsSurface, Solid, Tolerance};
+///
+/// let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1.0)?), Tolerance::DEFAULT)?;
+/// let ball = Solid::new(&[sphere], Tolerance::DEFAULT)?.topology(Tolerance::DEFAULT)?;
+/// let steps = &ball.loops[0][0][0];
+/// // Along the seam and back.
+/// assert!(steps.len() == 2 && steps[0].edge == steps[1].edge);
+/// assert!(steps[0].is_along != steps[1].is_along && steps[0].parameters.is_straight());
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SolidStep {
+    /// The number of the edge.
+    pub edge: usize,
+    /// Whether it goes along the edge, or back.
+    pub is_along: bool,
+    /// The way of the face, by the parameters of its surface.
+    pub parameters: ParameterArc,
+}
+
 impl SolidEdge {
     /// Whether it has one face on both sides.
     #[must_use]
@@ -74,7 +97,7 @@ impl SolidTopology {
     /// their holes.
     #[must_use]
     pub fn genus(&self) -> i64 {
-        let euler_of = |loops: &Vec<Vec<(usize, bool)>>| 2 - loops.len() as i64;
+        let euler_of = |loops: &Vec<Vec<SolidStep>>| 2 - loops.len() as i64;
         let faces: i64 = self.loops.iter().flatten().map(euler_of).sum();
         let euler = self.vertices.len() as i64 - self.edges.len() as i64 + faces;
         self.n_shells as i64 - euler / 2
@@ -106,9 +129,10 @@ impl SolidTopology {
         // The ends of each edge, 2·e and 2·e + 1, that corners of faces have in common.
         let mut rings = DisjointSets::new(2 * self.edges.len());
         for steps in self.loops.iter().flatten().flatten() {
-            for (k, &(edge, is_along)) in steps.iter().enumerate() {
-                let (next, goes_on) = steps[(k + 1) % steps.len()];
-                rings.unite(2 * edge + usize::from(is_along), 2 * next + usize::from(!goes_on));
+            for (k, step) in steps.iter().enumerate() {
+                let next = &steps[(k + 1) % steps.len()];
+                let (ends, starts) = (step.is_along, !next.is_along);
+                rings.unite(2 * step.edge + usize::from(ends), 2 * next.edge + usize::from(starts));
             }
         }
         let mut ring_of: Vec<Option<usize>> = vec![None; self.vertices.len()];
@@ -126,11 +150,20 @@ impl SolidTopology {
 /// An arc of a face in space, between the vertices where it is cut.
 struct CutArc {
     curve: NurbsCurve,
+    /// The same by the parameters of the surface.
+    parameters: ParameterArc,
     /// Parameters and vertices, its ends among them.
     stops: Vec<(f64, usize)>,
 }
 
 impl CutArc {
+    /// Its part between two parameters in the plane of those of the surface, which runs as the curve does.
+    fn part_of_parameters(&self, ends: [f64; 2]) -> ParameterArc {
+        let (own, domain) = (self.parameters.curve.domain(), self.curve.domain());
+        let range = ends.map(|t| own.at((t - domain.start()) / domain.length()));
+        ParameterArc { curve: Arc::clone(&self.parameters.curve), range }
+    }
+
     /// How far its stops are from their vertices at most.
     fn farthest_from(&self, vertices: &[DVec3]) -> f64 {
         let gaps =
@@ -162,7 +195,8 @@ impl Solid {
                 let mut arcs = Vec::new();
                 for border in borders {
                     let first = curves.len();
-                    curves.extend(border.into_iter().filter_map(|edge| edge.curve));
+                    let in_space = |edge: FaceEdge| Some((edge.curve?, edge.parameters));
+                    curves.extend(border.into_iter().filter_map(in_space));
                     if first < curves.len() {
                         arcs.push(first..curves.len());
                     }
@@ -196,9 +230,13 @@ impl Solid {
     }
 }
 
-/// Curves with the places where others end on them, and these places.
-fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutArc>), GeomError> {
-    let ends: Vec<DVec3> = curves.iter().flat_map(|curve| [curve.start(), curve.end()]).collect();
+/// Curves, with the same by parameters, with the places where others end on them, and these places.
+fn cut_arcs(
+    curves: Vec<(NurbsCurve, NurbsCurve)>,
+    reach: f64,
+) -> Result<(Vec<DVec3>, Vec<CutArc>), GeomError> {
+    let ends = curves.iter().flat_map(|(curve, _)| [curve.start(), curve.end()]);
+    let ends: Vec<DVec3> = ends.collect();
     let first = welded(&ends, reach);
     let mut numbers: Vec<usize> = vec![0; ends.len()];
     let mut vertices = Vec::new();
@@ -211,7 +249,7 @@ fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutA
         };
     }
     let mut arcs = Vec::with_capacity(curves.len());
-    for (i, curve) in curves.into_iter().enumerate() {
+    for (i, (curve, parameters)) in curves.into_iter().enumerate() {
         GeomError::go_on(1)?;
         let (domain, [from, to]) = (curve.domain(), [numbers[2 * i], numbers[2 * i + 1]]);
         let least = PARAMETER_RELATIVE * domain.length();
@@ -233,7 +271,7 @@ fn cut_arcs(curves: Vec<NurbsCurve>, reach: f64) -> Result<(Vec<DVec3>, Vec<CutA
             }
         }
         sort_by(&mut stops, |a, b| a.0.total_cmp(&b.0));
-        arcs.push(CutArc { curve, stops });
+        arcs.push(CutArc { curve, parameters: ParameterArc::whole(parameters), stops });
     }
     Ok((vertices, arcs))
 }
@@ -244,7 +282,7 @@ impl EdgeTable {
         &mut self,
         arc: &CutArc,
         face: usize,
-        steps: &mut Vec<(usize, bool)>,
+        steps: &mut Vec<SolidStep>,
     ) -> Result<(), GeomError> {
         for pair in arc.stops.windows(2) {
             GeomError::go_on(1)?;
@@ -257,7 +295,9 @@ impl EdgeTable {
                 2 => arc.curve.clone(),
                 _ => arc.curve.trimmed(Interval::new(pair[0].0, pair[1].0)?)?,
             };
-            steps.push(self.step(piece, ends, face));
+            let parameters = arc.part_of_parameters([pair[0].0, pair[1].0]);
+            let (edge, is_along) = self.step(piece, ends, face);
+            steps.push(SolidStep { edge, is_along, parameters });
         }
         Ok(())
     }

@@ -26,7 +26,7 @@ pub use editing::compatible::make_surfaces_compatible;
 pub use editing::join::join_patches;
 pub use evaluation::evaluator::SurfaceEvaluator;
 pub use evaluation::grid_eval::GridSamples;
-pub use intersection::analytic::{AnalyticForm, AnalyticSurface, QuadricKind};
+pub use intersection::analytic::{AnalyticChart, AnalyticForm, AnalyticSurface, QuadricKind};
 pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
 pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use measurement::defects::SurfaceDefects;

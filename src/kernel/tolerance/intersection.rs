@@ -226,3 +226,13 @@ pub(crate) const NORMAL_ROUNDING: f64 = 1e-8;
 ///
 /// Larger takes for one bend what a stripe of light tells apart; smaller tells apart what is one but for the edge.
 pub(crate) const BEND_AGREES: f64 = 1e-6;
+
+/// What is nearer to the axis of a surface than this part of its distance from the middle has no angle about it.
+///
+/// Larger takes the angle of what is beside a pole from elsewhere; smaller takes it from rounding.
+pub(crate) const AXIS_RELATIVE: f64 = 1e-9;
+
+/// Part of the tolerance within which polynomials that stand for an arc of parameters in a file keep to it.
+///
+/// Larger changes areas of faces that are read back; smaller takes more pieces.
+pub(crate) const WRITTEN_SHARE: f64 = 1e-4;

@@ -10,8 +10,10 @@
 //! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
 //! `clip` what of curves lies on them, `beside` what is at a distance beside them, `continuity` how they go on in others, `shell` what they enclose together where `border_edge` finds that they are
 //! neighbours, `facing` which must turn to look alike.
+//! `arc_of_parameters` has parts of curves of parameters, `edge_parameters` these by the parameter of an edge that is written.
 //! `edge` has the curves on two surfaces at once, by places in space and by the parameters of both.
 
+mod arc_of_parameters;
 mod beside;
 mod border;
 mod border_edge;
@@ -21,6 +23,7 @@ mod continuity;
 mod cutter_arcs;
 mod division;
 mod edge;
+mod edge_parameters;
 mod error;
 mod extremum;
 mod face;
@@ -41,10 +44,12 @@ mod split;
 mod stretch;
 mod strip;
 
+pub use arc_of_parameters::ParameterArc;
 pub use border::FaceEdge;
 pub(crate) use border_edge::FaceBorderEdge;
 pub use continuity::FaceContinuity;
 pub use edge::{CurveEnd, SurfaceCurve, SurfaceCurveKind};
+pub use edge_parameters::{EdgePath, FaceChart};
 pub use error::FaceError;
 pub use extremum::FaceClosestPoint;
 pub use face::{Face, FacePart};

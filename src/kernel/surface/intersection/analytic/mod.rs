@@ -9,10 +9,12 @@
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
 //! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
-//! planes cut them, `coaxial` the circles in which those about one axis cross, `carrier` tells which are parts of one.
+//! planes cut them, `coaxial` the circles in which those about one axis cross, `carrier` tells which are parts of one,
+//! `chart` has the parameters that files give them.
 
 mod apart;
 mod carrier;
+mod chart;
 mod coaxial;
 mod conic;
 mod equation;
@@ -20,6 +22,7 @@ mod plane;
 mod quadric;
 mod revolved;
 
+pub use chart::AnalyticChart;
 pub use quadric::QuadricKind;
 
 use glam::DVec4;
