@@ -83,7 +83,7 @@ fn check(
         let solid = solid.transformed(&(place * moves(n))).unwrap();
         for (is_inside, (amount, n_parts)) in [true, false].into_iter().zip(wanted) {
             let parts = solid.parts_of(&face, is_inside, tolerance);
-            let Ok(parts) = parts else { panic!("{n}, {is_inside}: {parts:?}") };
+            let parts = parts.unwrap();
             let found = area(&parts) / (scale * scale);
             assert_eq!(parts.len(), n_parts, "{n}, {is_inside}: {found} for {amount}");
             assert!((found - amount).abs() < 1e-9, "{n}, {is_inside}: {found} for {amount}");

@@ -10,7 +10,7 @@ use super::{
     pcurve::{EdgeSide, edge_curve},
     shape::{Carrier, carrier, face, vertex},
 };
-use crate::kernel::{NurbsSurface, Solid, SolidStep, Tolerance};
+use crate::kernel::{NurbsSurface, Solid, SolidStep, SolidTopology, Tolerance};
 
 /// The bodies of a solid, each a closed shell with its voids; an edge that two faces have in common stands once. The
 /// models, each with its faces.
@@ -28,20 +28,7 @@ pub(super) fn models(
     };
     let carriers = carriers.iter().map(|surface| carrier(&item.name, surface, same(surface), file));
     let carriers: Vec<Carrier<'_>> = carriers.collect();
-    let mut sides: Vec<Vec<EdgeSide<'_>>> = topology.edges.iter().map(|_| Vec::new()).collect();
-    for (carrier, parts) in carriers.iter().zip(&topology.loops) {
-        for step in parts.iter().flatten().flatten() {
-            let arc = &step.parameters;
-            let arc = if step.is_along { arc.clone() } else { arc.reversed() };
-            sides[step.edge].push(EdgeSide { carrier, arc });
-        }
-    }
-    let mut edges: Vec<Id> = Vec::with_capacity(topology.edges.len());
-    for (edge, sides) in topology.edges.iter().zip(&sides) {
-        let ends = edge.vertices.map(|i| vertices[i]);
-        let blame = |source| ExportError::Geometry { name: item.name.clone(), source };
-        edges.push(edge_curve(&edge.curve, ends, sides, job.precision, file).map_err(blame)?);
-    }
+    let edges = edge_curves(item, &topology, &carriers, &vertices, job.precision, file)?;
     let mut faces: Vec<Vec<Id>> = Vec::with_capacity(carriers.len());
     for (carrier, parts) in carriers.iter().zip(&topology.loops) {
         let mut of_face = Vec::with_capacity(parts.len());
@@ -84,6 +71,31 @@ pub(super) fn models(
         models.push((model, of_body));
     }
     Ok(models)
+}
+
+/// The edges with their curves of parameters on the faces beside them.
+fn edge_curves(
+    item: &Item,
+    topology: &SolidTopology,
+    carriers: &[Carrier<'_>],
+    vertices: &[Id],
+    precision: f64,
+    file: &mut Records,
+) -> Result<Vec<Id>, ExportError> {
+    let mut sides: Vec<Vec<EdgeSide<'_>>> = topology.edges.iter().map(|_| Vec::new()).collect();
+    for (carrier, parts) in carriers.iter().zip(&topology.loops) {
+        for step in parts.iter().flatten().flatten() {
+            let arc = &step.parameters;
+            let arc = if step.is_along { arc.clone() } else { arc.reversed() };
+            sides[step.edge].push(EdgeSide { carrier, arc });
+        }
+    }
+    let written = topology.edges.iter().zip(&sides).map(|(edge, sides)| {
+        let ends = edge.vertices.map(|i| vertices[i]);
+        let blame = |source| ExportError::Geometry { name: item.name.clone(), source };
+        edge_curve(&edge.curve, ends, sides, precision, file).map_err(blame)
+    });
+    written.collect()
 }
 
 fn closed_shell(faces: &[Id], file: &mut Records) -> Id {
