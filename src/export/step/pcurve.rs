@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::{
     entity::{Id, Records},
     form,
-    shape::{Carrier, is_whole, spline, spline_through},
+    shape::{Carrier, basis, edge_along, spline_through},
 };
 use crate::kernel::{AnalyticCurve, EdgePath, GeomError, NurbsCurve, ParameterArc};
 
@@ -39,44 +39,16 @@ pub(super) fn edge_curve(
             written.push((side.carrier.id, on_surface(side.carrier.id, own, file)));
         }
     }
-    let basis = match &written[..] {
-        [] => basis,
-        _ => {
-            let is_seam = matches!(&written[..], [one, other] if one.0 == other.0);
-            let ids: Vec<Id> = written.iter().map(|&(_, id)| id).collect();
-            file.add(|r| {
-                r.text(if is_seam { "SEAM_CURVE" } else { "SURFACE_CURVE" });
-                r.text("('',").id(basis).text(",").ids(&ids).text(",.CURVE_3D.)");
-            })
-        }
-    };
+    if written.is_empty() {
+        return Ok(edge_along(basis, ends, file));
+    }
+    let is_seam = matches!(&written[..], [one, other] if one.0 == other.0);
+    let ids: Vec<Id> = written.iter().map(|&(_, id)| id).collect();
+    let basis = file.add(|r| {
+        r.text(if is_seam { "SEAM_CURVE" } else { "SURFACE_CURVE" });
+        r.text("('',").id(basis).text(",").ids(&ids).text(",.CURVE_3D.)");
+    });
     Ok(edge_along(basis, ends, file))
-}
-
-/// An edge along a curve alone.
-pub(super) fn edge_in_space(curve: &NurbsCurve, ends: [Id; 2], file: &mut Records) -> Id {
-    let (basis, _) = basis(curve, ends, file);
-    edge_along(basis, ends, file)
-}
-
-/// A curve in space by its equation, which is told then, or as a B-spline.
-fn basis(
-    curve: &NurbsCurve,
-    [from, to]: [Id; 2],
-    file: &mut Records,
-) -> (Id, Option<AnalyticCurve>) {
-    let analytic = curve.analytic().filter(|found| is_whole(found) == (from == to));
-    let basis = match &analytic {
-        Some(found) => form::unbounded("", found, file),
-        None => spline("", curve, file),
-    };
-    (basis, analytic)
-}
-
-fn edge_along(basis: Id, [from, to]: [Id; 2], file: &mut Records) -> Id {
-    file.add(|r| {
-        r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
-    })
 }
 
 /// A curve in the plane of parameters: a line where it is one and the edge has an equation, which goes evenly too.

@@ -8,13 +8,39 @@ use super::{
     super::{ExportError, Item, Job},
     entity::{Id, Records},
     form,
-    pcurve::edge_in_space,
     place::point,
 };
 use crate::kernel::{
     AnalyticCurve, AnalyticForm, FaceChart, Grid, KnotVector, NurbsCurve, NurbsSurface, Tolerance,
     sorting::sort_by,
 };
+
+/// An edge along a curve alone.
+fn edge_in_space(curve: &NurbsCurve, ends: [Id; 2], file: &mut Records) -> Id {
+    let (basis, _) = basis(curve, ends, file);
+    edge_along(basis, ends, file)
+}
+
+/// A curve in space by its equation, which is told then, or as a B-spline.
+pub(super) fn basis(
+    curve: &NurbsCurve,
+    [from, to]: [Id; 2],
+    file: &mut Records,
+) -> (Id, Option<AnalyticCurve>) {
+    let analytic = curve.analytic().filter(|found| is_whole(found) == (from == to));
+    let basis = match &analytic {
+        Some(found) => form::unbounded("", found, file),
+        None => spline("", curve, file),
+    };
+    (basis, analytic)
+}
+
+/// An edge along what is known of its curve.
+pub(super) fn edge_along(basis: Id, [from, to]: [Id; 2], file: &mut Records) -> Id {
+    file.add(|r| {
+        r.text("EDGE_CURVE('',").id(from).text(",").id(to).text(",").id(basis).text(",.T.)");
+    })
+}
 
 /// A curve: a line or an arc where it is one, else a B-spline.
 pub(super) fn curve(name: &str, curve: &NurbsCurve, file: &mut Records) -> Id {
@@ -282,7 +308,7 @@ pub(super) fn vertex(at: DVec3, file: &mut Records) -> Id {
 }
 
 /// Whether it is all of a circle, which has one vertex.
-pub(super) fn is_whole(curve: &AnalyticCurve) -> bool {
+fn is_whole(curve: &AnalyticCurve) -> bool {
     matches!(curve, AnalyticCurve::Circle { turn, .. } if TAU <= *turn)
 }
 

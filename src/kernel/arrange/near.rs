@@ -7,14 +7,11 @@ use crate::{
     Bounds, GeomError, NurbsCurve,
     box_tree::BoxTree,
     curve::part::{CurvePart, parts},
-    tolerance::LAST_BIT,
+    tolerance::{BENT_SHARE, LAST_BIT},
 };
 
 /// Halvings of a Bézier piece at most.
 const HALVINGS: usize = 2;
-
-/// Pieces that are further from their chord than this share of their size are halved.
-const BENT_SHARE: f64 = 0.05;
 
 /// Last bits of a coordinate within which pieces are not told apart.
 const NEAR_ROUNDINGS: f64 = 64.0;

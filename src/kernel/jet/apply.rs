@@ -3,7 +3,7 @@
 //! All fail with [`LocalError::NotDifferentiable`] at a place where the function has a value but
 //! not the derivatives, or has no value; and with [`LocalError::DerivativeBeyondNumbers`].
 
-use super::{Jet, JetCoefficients, series};
+use super::{Jet, JetTerms, series};
 use crate::{GeomError, LocalError};
 
 type JetResult = Result<Jet, GeomError>;
@@ -28,7 +28,7 @@ impl Jet {
             }
             let term =
                 |k: usize| if (k as f64 - exponent).abs() < 0.5 && is_whole { 1.0 } else { 0.0 };
-            return self.compose(&(0..=order).map(term).collect::<JetCoefficients>());
+            return self.compose(&(0..=order).map(term).collect::<JetTerms>());
         }
         if x < 0.0 && !is_whole {
             return no_derivative("the power", x);

@@ -17,7 +17,7 @@ use super::{GeomError, Grid, LocalError};
 pub use moving_end::moved_end;
 
 /// The coefficients of a jet, behind a pointer: numbers lie on the stack of calls within calls.
-type JetCoefficients = Vec<f64>;
+type JetTerms = Vec<f64>;
 
 /// A truncated Taylor series in one or two variables, or of first order in several. Invariant: as many
 /// coefficients as its shape needs. Of what jets of several shapes make together the derivatives that one of them does
@@ -38,7 +38,7 @@ pub struct Jet {
     shape: JetShape,
     /// By total degree, within a degree by the power of the second variable; of several variables the value
     /// and then the slope by each.
-    coefficients: JetCoefficients,
+    coefficients: JetTerms,
 }
 
 /// Of how many variables, and to which order.
@@ -145,7 +145,7 @@ impl Jet {
     }
 
     fn constant(value: f64, shape: JetShape) -> Self {
-        let mut coefficients: JetCoefficients = vec![0.0; shape.n_coefficients()];
+        let mut coefficients: JetTerms = vec![0.0; shape.n_coefficients()];
         coefficients[0] = value;
         Self { shape, coefficients }
     }
@@ -384,7 +384,7 @@ pub fn along(derivatives: &[DVec3], t: &Jet) -> Result<[Jet; 3], GeomError> {
             factorial *= k.max(1) as f64;
             derivative[axis] / factorial
         };
-        t.compose(&derivatives.iter().enumerate().map(term).collect::<JetCoefficients>())
+        t.compose(&derivatives.iter().enumerate().map(term).collect::<JetTerms>())
     };
     Ok([coordinate(0)?, coordinate(1)?, coordinate(2)?])
 }
@@ -404,9 +404,8 @@ pub fn across(derivatives: &Grid<DVec3>, u: &Jet, v: &Jet) -> Result<[Jet; 3], G
             let is_told = |l: usize| k < derivatives.n_rows() && l < derivatives.n_columns();
             let derivative = |l: usize| if is_told(l) { derivatives.get(k, l)[axis] } else { 0.0 };
             let term = |l: usize| derivative(l) / (factorial(k) * factorial(l));
-            let along_v = v.compose(
-                &(0..=v.order().saturating_sub(k)).map(term).collect::<JetCoefficients>(),
-            )?;
+            let along_v =
+                v.compose(&(0..=v.order().saturating_sub(k)).map(term).collect::<JetTerms>())?;
             sum = sum.times(&varying).plus(&along_v);
         }
         sum.checked()

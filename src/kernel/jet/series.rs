@@ -4,11 +4,11 @@
 //! Griewank & Walther, *Evaluating Derivatives*, Table 13.2. Each function answers `order + 1`
 //! coefficients, the value first.
 
-use super::JetCoefficients;
+use super::JetTerms;
 
 /// (1 + x)ⁿ about 0 is the binomial series; about `x` every term is the one before times
 /// (n − k + 1)/(k·x). `value` is `x` to the `exponent`; `x` is not zero.
-pub(super) fn power(x: f64, value: f64, exponent: f64, order: usize) -> JetCoefficients {
+pub(super) fn power(x: f64, value: f64, exponent: f64, order: usize) -> JetTerms {
     let next = |term: &mut f64, k: usize| {
         if 0 < k {
             *term *= (exponent - k as f64 + 1.0) / (k as f64 * x);
@@ -19,7 +19,7 @@ pub(super) fn power(x: f64, value: f64, exponent: f64, order: usize) -> JetCoeff
 }
 
 /// Functions whose k-th derivatives go round in a circle of four.
-pub(super) fn cyclic(derivatives: [f64; 4], order: usize) -> JetCoefficients {
+pub(super) fn cyclic(derivatives: [f64; 4], order: usize) -> JetTerms {
     let mut factorial = 1.0;
     let term = |k: usize| {
         factorial *= k.max(1) as f64;
@@ -28,13 +28,13 @@ pub(super) fn cyclic(derivatives: [f64; 4], order: usize) -> JetCoefficients {
     (0..=order).map(term).collect()
 }
 
-pub(super) fn ln(x: f64, order: usize) -> JetCoefficients {
+pub(super) fn ln(x: f64, order: usize) -> JetTerms {
     integral(libm::log(x), &power(x, 1.0 / x, -1.0, order)[..order])
 }
 
 /// y' = 1 + sign·y².
-pub(super) fn tangent(value: f64, sign: f64, order: usize) -> JetCoefficients {
-    let mut terms: JetCoefficients = vec![value];
+pub(super) fn tangent(value: f64, sign: f64, order: usize) -> JetTerms {
+    let mut terms: JetTerms = vec![value];
     for k in 0..order {
         let square: f64 = (0..=k).map(|i| terms[i] * terms[k - i]).sum();
         let one = if k == 0 { 1.0 } else { 0.0 };
@@ -44,9 +44,9 @@ pub(super) fn tangent(value: f64, sign: f64, order: usize) -> JetCoefficients {
 }
 
 /// y' = g with (1 − x²)·g' = x·g; `x` lies between −1 and 1.
-pub(super) fn asin(x: f64, order: usize) -> JetCoefficients {
+pub(super) fn asin(x: f64, order: usize) -> JetTerms {
     let rest = (1.0 - x) * (1.0 + x);
-    let mut slopes: JetCoefficients = vec![1.0 / rest.sqrt()];
+    let mut slopes: JetTerms = vec![1.0 / rest.sqrt()];
     for k in 0..order {
         let before = if k == 0 { 0.0 } else { slopes[k - 1] };
         let (n, next) = (k as f64, (k + 1) as f64);
@@ -56,8 +56,8 @@ pub(super) fn asin(x: f64, order: usize) -> JetCoefficients {
 }
 
 /// y' = g with (1 + x²)·g = 1.
-pub(super) fn atan(x: f64, order: usize) -> JetCoefficients {
-    let mut slopes = JetCoefficients::new();
+pub(super) fn atan(x: f64, order: usize) -> JetTerms {
+    let mut slopes = JetTerms::new();
     // Divided by the larger of 1 and x², so that no square overflows.
     let inverse = if x.abs() <= 1.0 { 1.0 } else { 1.0 / x };
     let (square, linear, denominator) = (
@@ -76,7 +76,7 @@ pub(super) fn atan(x: f64, order: usize) -> JetCoefficients {
 }
 
 /// The series with this value and these coefficients of its derivative.
-fn integral(value: f64, slopes: &[f64]) -> JetCoefficients {
+fn integral(value: f64, slopes: &[f64]) -> JetTerms {
     let terms = slopes.iter().enumerate().map(|(k, slope)| slope / (k + 1) as f64);
     std::iter::once(value).chain(terms).collect()
 }

@@ -42,7 +42,7 @@ pub struct SkinBuilder {
     is_closed: bool,
     is_aligned: bool,
     places: Layout,
-    way: SectionInterpolation,
+    way: LoftForm,
     has_even_speed: bool,
     within: Option<f64>,
 }
@@ -56,7 +56,7 @@ enum Layout {
 
 /// How the surface goes from section to section.
 #[derive(Clone, Debug)]
-enum SectionInterpolation {
+enum LoftForm {
     Free([Option<SectionSlope>; 2]),
     Spine(Curve, Vec<f64>),
     Monotone,
@@ -189,7 +189,7 @@ impl SkinBuilder {
             is_closed: false,
             is_aligned: true,
             places: Layout::By(SectionParameters::Average),
-            way: SectionInterpolation::Free([None, None]),
+            way: LoftForm::Free([None, None]),
             has_even_speed: false,
             within: None,
         }
@@ -222,25 +222,24 @@ impl SkinBuilder {
 
     /// The derivative by v along the first section.
     pub fn start_slope(self, slope: SectionSlope) -> Self {
-        let end = if let SectionInterpolation::Free([_, end]) = self.way { end } else { None };
-        Self { way: SectionInterpolation::Free([Some(slope), end]), ..self }
+        let end = if let LoftForm::Free([_, end]) = self.way { end } else { None };
+        Self { way: LoftForm::Free([Some(slope), end]), ..self }
     }
 
     /// The derivative by v along the last section.
     pub fn end_slope(self, slope: SectionSlope) -> Self {
-        let start =
-            if let SectionInterpolation::Free([start, _]) = self.way { start } else { None };
-        Self { way: SectionInterpolation::Free([start, Some(slope)]), ..self }
+        let start = if let LoftForm::Free([start, _]) = self.way { start } else { None };
+        Self { way: LoftForm::Free([start, Some(slope)]), ..self }
     }
 
     /// The surface has the spine's tangents at the sections, which stand at its parameters; of degree 2 or 3.
     pub fn along_spine(self, spine: impl Into<Curve>, at: Vec<f64>) -> Self {
-        Self { way: SectionInterpolation::Spine(spine.into(), at), ..self }
+        Self { way: LoftForm::Spine(spine.into(), at), ..self }
     }
 
     /// Each coordinate of the control points stays between its values at two neighbouring sections.
     pub fn monotone(self) -> Self {
-        Self { way: SectionInterpolation::Monotone, ..self }
+        Self { way: LoftForm::Monotone, ..self }
     }
 
     /// Points of equal fraction of the length belong together, instead of those of equal parameter.
@@ -285,8 +284,7 @@ impl SkinBuilder {
             curves = at_constant_speed(&curves, within).about(SkinInput::Sections)?;
         }
         let no_slopes = [None, None];
-        let slopes =
-            if let SectionInterpolation::Free(slopes) = &self.way { slopes } else { &no_slopes };
+        let slopes = if let LoftForm::Free(slopes) = &self.way { slopes } else { &no_slopes };
         let (mut sections, slopes) = with_slopes(curves, slopes)?;
         let has_slopes = slopes.iter().any(Option::is_some);
         let as_given = sections.clone();
@@ -319,7 +317,7 @@ impl SkinBuilder {
     ) -> Result<(Along, Vec<f64>), SkinError> {
         let (degree, is_closed) = (self.degree, self.is_closed);
         let needed = sections.curves().len() + usize::from(is_closed);
-        if let SectionInterpolation::Spine(spine, at) = &self.way {
+        if let LoftForm::Spine(spine, at) = &self.way {
             check_parameters(at, needed).about(SkinInput::At)?;
             let curve = spine.nurbs_within(self.tolerance.distance).about(SkinInput::Spine)?;
             let inside = |&t: &f64| curve.domain().clamp_inside(t);
@@ -335,7 +333,7 @@ impl SkinBuilder {
             Layout::By(rule) => sections.parameters(*rule, is_closed).about(SkinInput::Sections)?,
         };
         let along = match (&self.way, is_closed) {
-            (SectionInterpolation::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
+            (LoftForm::Monotone, is_closed) => Along::monotone(&parameters, is_closed),
             (_, true) => Along::closed(&parameters, degree),
             (_, false) if slopes.iter().all(Option::is_none) => Along::free(&parameters, degree),
             (_, false) => Along::with_slopes(&parameters, degree, slopes),

@@ -95,3 +95,9 @@ pub(crate) const DUAL_MEETING: f64 = 1e-9;
 ///
 /// Larger takes for a contact what only comes near; smaller loses those at which a curve bends as its tangent does.
 pub(crate) const TANGENT_ACCURACY: f64 = 1e-9;
+
+/// Pieces of arcs that are further from their chord than this share of their size are halved before it is told which
+/// come near one another.
+///
+/// Larger takes for near what lies around one another; smaller makes more pieces than that saves.
+pub(crate) const BENT_SHARE: f64 = 0.05;

@@ -236,3 +236,13 @@ pub(crate) const AXIS_RELATIVE: f64 = 1e-9;
 ///
 /// Larger changes areas of faces that are read back; smaller takes more pieces.
 pub(crate) const WRITTEN_SHARE: f64 = 1e-4;
+
+/// The fraction of a piece of a curve of parameters, near its start, at which it is compared with its arc first.
+///
+/// Larger sees later how an arc leaves a pole; smaller looks where both agree whatever they do.
+pub(crate) const WRITTEN_LOOK: f64 = 0.02;
+
+/// The fraction of a domain over which the sense of an angle is told, that may be anything by full turns.
+///
+/// Larger could be half a turn of what goes around several times; smaller looks at rounding.
+pub(crate) const SENSE_LOOK: f64 = 1.0 / 64.0;

@@ -11,7 +11,7 @@ use crate::{
     ceiling::{NEWTON_STEPS, WRITTEN_HALVINGS},
     frame::norm,
     numeric::{linear::solve_linear, newton},
-    tolerance::{EDGE_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE, WRITTEN_SHARE},
+    tolerance::{EDGE_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE, WRITTEN_LOOK, WRITTEN_SHARE},
 };
 
 use super::{arc_of_parameters::ParameterArc, pull::chebyshev_fraction};
@@ -24,7 +24,7 @@ const LEAST_HALVINGS: usize = 3;
 const GAIN: f64 = 0.7;
 
 /// Fractions of a piece at which it is compared with the arc.
-const COMPARED_AT: [f64; 4] = [0.02, 0.3, 0.55, 0.9];
+const COMPARED_AT: [f64; 4] = [WRITTEN_LOOK, 0.3, 0.55, 0.9];
 
 /// Parts of each span at whose ends a curve is compared with the edge.
 const SPAN_PARTS: usize = 6;
@@ -100,6 +100,23 @@ impl<'a> EdgePath<'a> {
 }
 
 /// The surface of a face, by its own parameters or those of its equation.
+///
+/// ```
+/// use std::sync::Arc;
+/// use virote_kernel::{EdgePath, Face, FaceChart, Frame, NurbsSurface, ParameterArc, Tolerance};
+///
+/// let tube = NurbsSurface::cylinder(Frame::XY, 1.0, 5.0)?;
+/// let face = Face::whole(Arc::new(tube.clone()), Tolerance::DEFAULT)?;
+/// let edge = &face.part_edges(Tolerance::DEFAULT)?[0][0][0];
+/// let rim = edge.curve.as_ref().expect("a circle");
+/// let equation = tube.analytic(1e-9).map(|found| tube.analytic_chart(&found));
+/// let chart = FaceChart { surface: &tube, equation };
+/// let arc = ParameterArc::whole(edge.parameters.clone());
+/// let path = EdgePath::new(rim, rim.analytic());
+/// let line = chart.along(&arc, &path, 1e-6)?.expect("a line");
+/// assert!((line.end().x - std::f64::consts::TAU).abs() < 1e-14 && line.degree() == 1);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct FaceChart<'a> {
     /// The surface.
@@ -137,23 +154,6 @@ impl FaceChart<'_> {
     /// written: at each parameter of the edge its place is beside that of the edge, within a quarter of `distance`.
     ///
     /// None where it leaves the edge by more, or no polynomials keep to it.
-    ///
-    /// ```
-    /// use std::sync::Arc;
-    /// use virote_kernel::{EdgePath, Face, FaceChart, Frame, NurbsSurface, ParameterArc, Tolerance};
-    ///
-    /// let tube = NurbsSurface::cylinder(Frame::XY, 1.0, 5.0)?;
-    /// let face = Face::whole(Arc::new(tube.clone()), Tolerance::DEFAULT)?;
-    /// let edge = &face.part_edges(Tolerance::DEFAULT)?[0][0][0];
-    /// let rim = edge.curve.as_ref().expect("a circle");
-    /// let equation = tube.analytic(1e-9).map(|found| tube.analytic_chart(&found));
-    /// let chart = FaceChart { surface: &tube, equation };
-    /// let arc = ParameterArc::whole(edge.parameters.clone());
-    /// let path = EdgePath::new(rim, rim.analytic());
-    /// let line = chart.along(&arc, &path, 1e-6)?.expect("a line");
-    /// assert!((line.end().x - std::f64::consts::TAU).abs() < 1e-14 && line.degree() == 1);
-    /// # Ok::<(), virote_kernel::GeomError>(())
-    /// ```
     ///
     /// # Errors
     /// `GeomError::Ended`; those of [`NurbsCurve::new`].

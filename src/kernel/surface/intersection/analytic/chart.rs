@@ -72,7 +72,7 @@ impl ChartTurn {
     fn of(raw: impl Fn(f64) -> f64, domain: Interval) -> Self {
         let (start, middle) = (raw(domain.start()), domain.at(0.5));
         // Hardly away from the start, where less than half a turn tells the sense.
-        let step = raw(domain.at(1.0 / 64.0)) - start;
+        let step = raw(domain.at(SENSE_LOOK)) - start;
         let is_backward = (0.5 * TAU < step) || (-0.5 * TAU < step && step < 0.0);
         let mut turn = Self { start, is_backward, middle: [middle, 0.0] };
         turn.middle[1] = (turn.angle(raw(middle), middle) - start).abs();
