@@ -11,7 +11,11 @@ use std::f64::consts::TAU;
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::{AnalyticForm, AnalyticSurface};
-use crate::{Direction, Interval, NurbsSurface, frame::norm, tolerance::AXIS_RELATIVE};
+use crate::{
+    Direction, Interval, NurbsSurface,
+    frame::norm,
+    tolerance::{AXIS_RELATIVE, SENSE_LOOK},
+};
 
 /// Fractions of a parameter line at which is looked whether it goes around the axis.
 const LOOKED_AT: [f64; 3] = [0.0, 0.37, 0.71];
