@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use super::{
     entity::{Id, Records},
-    form,
     shape::{Carrier, basis, edge_along, spline_through},
 };
 use crate::kernel::{AnalyticCurve, EdgePath, GeomError, NurbsCurve, ParameterArc};
