@@ -149,8 +149,7 @@ impl Face {
             for is_upper in [false, true] {
                 let reach = AxisRange { axis, is_upper };
                 let known = border.map_or(f64::INFINITY, |border| reach.of(border));
-                let inside =
-                    self.least_inside(known, whole.diagonal(), &reach, (&boxes, &carrier))?;
+                let inside = self.least_inside(known, &reach, (&boxes, &carrier))?;
                 let value = inside.map_or(known, |inside| inside.value);
                 let bounds = found.get_or_insert(whole);
                 if is_upper {
@@ -189,7 +188,7 @@ impl Face {
         };
         let (known, to) = (on_border.distance, DistanceTo(point));
         let (boxes, carrier) = (self.border_boxes(distance)?, Carrier::new(surface));
-        let inside = self.least_inside(known, distance, &to, (&boxes, &carrier))?;
+        let inside = self.least_inside(known, &to, (&boxes, &carrier))?;
         Ok(inside.and_then(|inside| inside.parameters).map_or(on_border, of))
     }
 
@@ -213,16 +212,15 @@ impl Face {
         })
     }
 
-    /// The least of a quantity inside, where that is below what is known by more than the digits of
-    /// something of a size.
+    /// The least of a quantity inside, where that is below what is known by more than the digits of something of
+    /// the size of the surface.
     fn least_inside(
         &self,
         known: f64,
-        size: f64,
         quantity: &dyn BoundedQuantity,
         (boxes, carrier): (&[Bounds], &Carrier<'_>),
     ) -> Result<Option<LeastValue>, GeomError> {
-        let slack = EXTREMUM_RELATIVE * size;
+        let slack = EXTREMUM_RELATIVE * hull(&self.plane.surface).diagonal();
         let mut found: Option<LeastValue> = None;
         let mut todo = vec![DistanceCell { intervals: self.plane.domains(), depth: 0 }];
         while let Some(DistanceCell { intervals, depth }) = todo.pop() {
