@@ -16,6 +16,10 @@ check total(offset(crown, -0.1, corner = "bevel")) ~= 0.023236330383102945
 check total(offset(fork, -0.1, corner = "miter")) ~= 0.2841724742961061
 check total(offset(arrow, 0.5, corner = "miter")) ~= 5.12933427966119
 
+// Past what lies on the other side of a border, and past corners that go on straight.
+check total(offset(of_corners([(0, 0), (1, 0), (0, 1)]), 3, corner = "bevel")) ~= 21.606601717798206
+check total(offset(of_corners([(0, 0), (2, 0), (2, 2), (0, 2), (0, 1.5)]), 1.5, corner = "bevel")) ~= 20.5
+
 // No further than ten times the distance: there what cuts them off stands across.
 let needle = of_corners([(0, 0), (20, -0.5), (20, 0.5)])
 let grown = offset(needle, 0.1, corner = "miter")[0]

@@ -183,6 +183,13 @@ fn borders_that_are_none_are_refused_by_their_number() {
 }
 
 #[test]
+fn borders_that_share_a_slanted_line_have_corners_on_it() {
+    let with_corner = [(2.7, 2.1), (3.6, 2.8), (6.3, 4.9), (-0.1, 5.7)];
+    let beside = region(&polygon(&[(0.0, 0.0), (9.0, 7.0), (7.8, -2.6)]));
+    check(area(&union(&[region(&polygon(&with_corner)), beside])), 49.4);
+}
+
+#[test]
 fn a_star_is_hollow_by_the_even_odd_rule() {
     let corner = |i: usize| {
         let angle = TAU * (2 * i) as f64 / 5.0;
@@ -278,6 +285,10 @@ fn offsets_of_polygons_are_made_of_strips_and_wedges() {
         vec![(0.0, -0.9), (1.1, -0.6), (1.7, -0.9), (1.0, -0.5), (1.7, -0.5), (1.2, -0.2)],
         vec![(0.0, -0.9), (1.5, -1.2), (1.1, -0.6), (1.7, -0.9), (1.2, -0.2)],
         vec![(-0.04, -0.93), (1.68, -0.9), (0.97, -0.49), (1.7, -0.53), (1.2, -0.21)],
+        // With corners that go on straight.
+        vec![(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 1.5)],
+        vec![(1.0, 0.0), (1.3, 0.0), (2.0, 0.0), (0.0, 2.0), (-0.5, 2.0)],
+        vec![(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)],
     ];
     for _ in 0..40 {
         let n = 5 + (random() * 8.0) as usize;
@@ -289,14 +300,14 @@ fn offsets_of_polygons_are_made_of_strips_and_wedges() {
         stars.push(star.collect());
     }
     for star in &stars {
-        for d in [0.1, 0.5, -0.1, -0.3] {
+        for d in [0.1, 0.5, 3.0, -0.1, -0.3] {
             for style in [CornerStyle::Miter, CornerStyle::Bevel] {
                 let parts = region(&polygon(star)).offset(d, style, TOLERANCE);
                 let parts =
                     parts.unwrap_or_else(|error| panic!("{star:?} by {d}, {style:?}: {error}"));
                 let covered = strips_and_wedges(star, d, style);
                 for _ in 0..60 {
-                    let place = (3.0 - 6.0 * random(), 3.0 - 6.0 * random());
+                    let place = (4.0 - 8.0 * random(), 4.0 - 8.0 * random());
                     let is_beside = covered.iter().any(|part| is_inside(part, place));
                     let is_in = match 0.0 < d {
                         true => is_inside(star, place) || is_beside,

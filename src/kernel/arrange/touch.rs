@@ -25,8 +25,8 @@ pub(super) fn touch_of(
     crossing: [f64; 2],
     tolerance: f64,
 ) -> [f64; 2] {
-    // Straight legs run side by side all along or nowhere.
-    if first.degree() == 1 && second.degree() == 1 {
+    // Straight legs run side by side all along or nowhere; arcs of degree 1 may have corners that go on straight.
+    if [first, second].iter().all(|arc| arc.degree() == 1 && arc.control_points().len() == 2) {
         return crossing;
     }
     let Some(touch) = side_by_side_near(first, second, crossing) else { return crossing };

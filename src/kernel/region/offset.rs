@@ -15,7 +15,8 @@ use super::{
     corner::corner_turn,
 };
 use crate::{
-    Bounds, ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side, Tolerance,
+    Bounds, ClosestPoint, ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side,
+    Tolerance,
     arrange::{self, Apart, Arrangement, Ring, winding_about},
     frame::{norm, unit},
 };
@@ -117,7 +118,8 @@ impl OldBorder<'_> {
             let off = (bounds.min - point).max(point - bounds.max).max(DVec3::ZERO);
             norm(off) < least && {
                 let foot = arc.closest(point, self.near);
-                foot.distance < least && !self.is_corner(foot.point)
+                foot.distance < least
+                    && (self.corners.is_empty() || self.is_beside(arc, &foot, point))
             }
         });
         is_near
@@ -126,9 +128,18 @@ impl OldBorder<'_> {
                     || self.is_behind(point))
     }
 
-    /// Whether a place of the old border is a corner that is not rounded.
-    fn is_corner(&self, foot: DVec3) -> bool {
-        self.corners.iter().any(|&corner| norm(corner - foot) <= self.near)
+    /// Whether a point is beside an arc, on the side to which it moves: straight away from its foot, where that is an
+    /// end of the arc too, and not about a corner.
+    fn is_beside(&self, arc: &NurbsCurve, foot: &ClosestPoint, point: DVec3) -> bool {
+        let is_at = |place: DVec3| norm(place - foot.point) <= self.near;
+        if self.corners.iter().any(|&corner| is_at(corner)) {
+            return false;
+        }
+        let Some(along) = unit(arc.velocity_at(foot.parameter)[1]) else { return true };
+        let away = point - foot.point;
+        let is_straight = away.dot(along).abs() <= SLACK * self.near;
+        0.0 < away.dot(along.cross(DVec3::Z)) * self.distance
+            && (is_straight || !is_at(arc.start()) && !is_at(arc.end()))
     }
 
     /// Whether a point lies on the side of the old border from which it moves.
