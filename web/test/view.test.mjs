@@ -207,6 +207,9 @@ run("the section fills what is closed, and says what is open", async () => {
   await page.mouse.move(x + moved, y, { steps: 4 });
   await page.mouse.up();
   assert.ok((await page.evaluate(() => window.virote.settings.sectionPlace)) > 0.7);
+  // Both places that tell where it stands say the same.
+  const [row, note] = await page.$eval('.section[data-section="section"]', (part) => [part.querySelector('[data-setting="section-place"] output').textContent, part.querySelector(".note").textContent]);
+  assert.equal(row, note);
   await page.$eval('[data-setting="section-place"] input', (track) => {
     track.valueAsNumber = 0.5;
     track.dispatchEvent(new Event("input", { bubbles: true }));

@@ -114,19 +114,20 @@ export function slider(
 ): Slider {
   const input = el("input", { type: "range", min: least, max: most, step, "aria-label": label });
   const shown = el("output");
-  const show = (): void => {
-    shown.textContent = format(input.valueAsNumber);
+  const show = (value: number): void => {
+    shown.textContent = format(value);
     input.style.setProperty("--share", String((input.valueAsNumber - least) / (most - least)));
   };
   input.addEventListener("input", () => {
-    show();
+    show(input.valueAsNumber);
     change(input.valueAsNumber);
   });
   return {
     root: el("label", { class: "row slider" }, el("span", {}, label), input, shown),
     set(value) {
       input.valueAsNumber = value;
-      show();
+      // The field rounds to its steps.
+      show(value);
     },
   };
 }

@@ -230,6 +230,9 @@ export class DrawnItem {
   }
 }
 
+/** How far a ghost stands back, so that what has not changed is seen alone, though it was meshed anew. */
+const GHOST_BEHIND = { factor: 4, units: 400 };
+
 /** A translucent likeness of an item, for comparison. */
 export function ghostOf(item: Item, shape: Shape, palette: Palette, overlays: Overlays): Group {
   const group = new Group();
@@ -243,6 +246,8 @@ export function ghostOf(item: Item, shape: Shape, palette: Palette, overlays: Ov
       isFlat: buffers.normals === null,
       hasCurvature: false,
     });
+    material.polygonOffsetFactor = GHOST_BEHIND.factor;
+    material.polygonOffsetUnits = GHOST_BEHIND.units;
     const body = new Mesh(shape.surface, material);
     body.renderOrder = 6;
     group.add(body);
