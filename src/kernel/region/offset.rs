@@ -137,8 +137,9 @@ impl OldBorder<'_> {
         }
         let Some(along) = unit(arc.velocity_at(foot.parameter)[1]) else { return true };
         let away = point - foot.point;
-        let is_straight = away.dot(along).abs() <= SLACK * self.near;
-        0.0 < away.dot(along.cross(DVec3::Z)) * self.distance
+        let slack = SLACK * self.near;
+        let is_straight = away.dot(along).abs() <= slack;
+        -slack < away.dot(along.cross(DVec3::Z)) * self.distance.signum()
             && (is_straight || !is_at(arc.start()) && !is_at(arc.end()))
     }
 
