@@ -68,7 +68,7 @@ fn leg(curve: &NurbsCurve) -> Option<[DVec3; 2]> {
     is_even.then(|| [start, end].map(homogeneous::project))
 }
 
-/// By fractions of two legs, where they are nearest: where their lines are, if that is within both, else at an end.
+/// By fractions of two legs, where they are nearest: where their lines are, if that is within both, or at an end.
 fn nearest_fractions(legs: [[DVec3; 2]; 2]) -> [f64; 2] {
     let [[p, p_end], [q, q_end]] = legs;
     let (own, other, apart) = (p_end - p, q_end - q, q - p);
@@ -76,9 +76,8 @@ fn nearest_fractions(legs: [[DVec3; 2]; 2]) -> [f64; 2] {
     let normal = own.cross(other);
     let across = normal.length_squared();
     let crossing = [apart.cross(other).dot(normal) / across, apart.cross(own).dot(normal) / across];
-    if crossing.iter().all(|fraction| (0.0..=1.0).contains(fraction)) {
-        return crossing;
-    }
+    // Of lines that are one it is rounding, and some place.
+    let is_within = crossing.iter().all(|fraction| (0.0..=1.0).contains(fraction));
     let foot = |point: DVec3, [start, end]: [DVec3; 2]| {
         let leg = end - start;
         let fraction = (point - start).dot(leg) / leg.length_squared();
@@ -91,6 +90,7 @@ fn nearest_fractions(legs: [[DVec3; 2]; 2]) -> [f64; 2] {
         [foot(q_end, legs[0]), 1.0],
     ];
     let distance = |[s, t]: [f64; 2]| p.lerp(p_end, s).distance_squared(q.lerp(q_end, t));
-    let nearest = ends.into_iter().min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+    let candidates = is_within.then_some(crossing).into_iter().chain(ends);
+    let nearest = candidates.min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
     nearest.unwrap_or([0.0; 2])
 }
