@@ -3489,8 +3489,8 @@ def offset(*args: Any, c: Any = None, distance: Any = None, normal: Any = None, 
 
     The result is what lies within the distance (or further than it from the outside), so that holes
     close, narrow bridges go, and nothing crosses itself. At corners that are torn open `"round"` puts an
-    arc, `"miter"` lets both sides go on until they meet, no further than ten times the distance,
-    and `"bevel"` cuts straight across. Lines and arcs stay such; other borders keep the document's
+    arc, `"miter"` lets both sides go on until they meet, no further than ten times the distance, where they
+    are cut off straight across, and `"bevel"` cuts straight across at once. Lines and arcs stay such; other borders keep the document's
     tolerance.
     :param r: The region.
     :param distance: The distance; a negative one shrinks.
@@ -4519,7 +4519,9 @@ def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None
     Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
     are those of the true curves. A part goes over the seam of a closed surface as over any other place.
     The order of the parts depends on the surface and the cutters alone; `trim` takes the part beside a point. A
-    cutter that misses the face, ends inside of it, or shares an area with it is an error.
+    cutter that misses the face or ends inside of it is an error. One that lies on the face, on its plane, cylinder,
+    cone, sphere or torus or as a part of its own surface, divides it by the border of what both have in common; one
+    that lies on all of it, and another surface that runs together with it, is an error.
     :param s: The surface or face.
     :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
 
@@ -5056,13 +5058,13 @@ def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = N
 
     `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
     is where its normal points; or `"inside"` or `"outside"` where it is a solid. Where more than one part is on
-    that side, all of them are the answer, as a list. A plane or solid that misses leaves all of the face, or is an
-    error where that is on the other side.
+    that side, all of them are the answer, as a list; `none` where nothing is. A plane or solid that misses leaves all
+    of the face, or nothing. What lies on the border of the solid is inside: of a solid's own faces nothing is outside.
     :param s: The surface or face.
     :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
     :param keep: What stays.
 
-    In scripts: ``trim(s: surface | face, by: plane | surface | face | curve | solid | list of planes, surfaces, faces, curves or solids, keep: point | "above" | "below" | "inside" | "outside") -> face | list of faces``
+    In scripts: ``trim(s: surface | face, by: plane | surface | face | curve | solid | list of planes, surfaces, faces, curves or solids, keep: point | "above" | "below" | "inside" | "outside") -> face | list of faces | none``
     """
     return _called("trim", args, {"c": c, "range": range, "s": s, "u": u, "v": v, "by": by, "keep": keep})
 
@@ -5177,7 +5179,8 @@ def volume(*args: Any, s: Any = None, accuracy: Any = None, m: Any = None) -> fl
     they are smooth.
 
     Edges that are cuts lie on both of their faces within the document's tolerance, and the volume is as near as that
-    allows: `volume_error` of its `report` is a bound. With `accuracy` a volume that is not known as well is refused.
+    allows: `volume_error` of its `report` is a bound. With `accuracy` edges are compared within ever smaller distances
+    until the bound is met; a volume that is not known as well is refused.
     :param s: The solid.
     :param accuracy: What the bound of the volume's error may be at most.
 
