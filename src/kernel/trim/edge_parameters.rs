@@ -37,7 +37,7 @@ const LEAST_PARTS: usize = 8;
 /// ```
 /// use virote_kernel::{EdgePath, Frame, NurbsCurve};
 ///
-/// let circle = NurbsCurve::circle(Frame::XY, 2.0)?;
+/// let circle = NurbsCurve::arc(Frame::XY, 2.0, 0.0, std::f64::consts::TAU)?;
 /// let by_angle = EdgePath::new(&circle, circle.analytic());
 /// assert!((by_angle.domain().end() - std::f64::consts::TAU).abs() < 1e-14);
 /// assert_eq!(EdgePath::new(&circle, None).domain(), circle.domain());
@@ -105,7 +105,7 @@ impl<'a> EdgePath<'a> {
 /// use std::sync::Arc;
 /// use virote_kernel::{EdgePath, Face, FaceChart, Frame, NurbsSurface, ParameterArc, Tolerance};
 ///
-/// let tube = NurbsSurface::cylinder(Frame::XY, 1.0, 5.0)?;
+/// let tube = NurbsSurface::cone(Frame::XY, [1.0, 1.0], 5.0)?;
 /// let face = Face::whole(Arc::new(tube.clone()), Tolerance::DEFAULT)?;
 /// let edge = &face.part_edges(Tolerance::DEFAULT)?[0][0][0];
 /// let rim = edge.curve.as_ref().expect("a circle");

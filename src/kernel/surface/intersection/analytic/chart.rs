@@ -25,7 +25,7 @@ const LOOKED_AT: [f64; 3] = [0.0, 0.37, 0.71];
 /// ```
 /// use virote_kernel::{Frame, NurbsSurface, glam::DVec2};
 ///
-/// let tube = NurbsSurface::cylinder(Frame::XY, 1.0, 5.0)?;
+/// let tube = NurbsSurface::cone(Frame::XY, [1.0, 1.0], 5.0)?;
 /// let Some(found) = tube.analytic(1e-9) else { unreachable!("it is a cylinder") };
 /// let place = tube.analytic_chart(&found).place([0.5, tube.domain_v().end()]);
 /// assert!(place.distance(DVec2::new(std::f64::consts::PI, 5.0)) < 1e-14);
