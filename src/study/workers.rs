@@ -174,12 +174,11 @@ fn serve(
 ) {
     while let Some((place, variant)) = queue.next() {
         let row = variant.and_then(|variant| row(evaluation, worker, &variant));
-        // What was stopped from outside has no row.
-        let row = match row {
-            _ if evaluation.stop.is_stopped() => return,
-            Ok(row) => Ok(row),
-            Err(message) => Err(message),
-        };
+        // What was stopped from outside has no row, and those that wait for its turn have none either.
+        if evaluation.stop.is_stopped() {
+            queue.close();
+            return;
+        }
         if sender.send((place, row)).is_err() {
             return;
         }

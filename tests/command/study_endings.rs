@@ -88,6 +88,36 @@ fn a_grid_without_an_end_in_sight_begins_at_once() {
     assert!(third.starts_with(r#"[{"id":3,"w":1.0,"n":3.0,"s":4.0"#), "{third}");
 }
 
+/// A worker that waits for the row of another, which was stopped, ends too.
+#[test]
+fn ctrl_c_ends_workers_far_ahead_of_the_slowest() {
+    let scratch = Scratch::new("study-ahead");
+    scratch.file(
+        "a.geo",
+        "param n = 1\nlet s = if n < 2 then sum([for j in 1..60: sum([for i in 1..9000000: sin(i)])]) else n\n",
+    );
+    let mut child = virote(&scratch.0)
+        .args(["study", "a.geo", "--vary", "n=1..1000:1000", "-o", "r.csv", "--threads", "2"])
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    // Time enough for the other rows that fit; where there is less of it, the test asks less.
+    thread::sleep(Duration::from_millis(700));
+    interrupt(child.id());
+    let begin = Instant::now();
+    let ended = loop {
+        if let Some(status) = child.try_wait().expect("a child") {
+            break status.code();
+        }
+        if begin.elapsed() > Duration::from_secs(60) {
+            child.kill().expect("it is there");
+            break None;
+        }
+        thread::sleep(Duration::from_millis(5));
+    };
+    assert_eq!(ended, Some(130));
+}
+
 fn interrupt(id: u32) {
     let id = id.to_string();
     assert!(Command::new("kill").args(["-INT", &id]).status().expect("a signal").success());
