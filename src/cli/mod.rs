@@ -138,3 +138,36 @@ fn doc(words: &[String], is_search: bool) -> ExitStatus {
     }
     ExitStatus::Usage
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use crate::{eval, ops};
+
+    /// Advice is of words that mean nothing here, each once, and tells to call what there is.
+    #[test]
+    fn words_of_other_programs_lead_to_what_there_is() {
+        let registry = ops::registry();
+        // Written by whoever asks, or of a statement or field.
+        let own = ["f", "c", "s", "name"];
+        let mut known = BTreeSet::new();
+        for (word, advice) in eval::all_foreign() {
+            assert!(known.insert(word), "`{word}` stands twice");
+            assert_eq!(word, word.to_lowercase().replace('_', ""), "as names are looked up");
+            let is_own = word == "pi" || registry.get(word).is_none();
+            assert!(is_own, "`{word}` is built in");
+            for code in advice.split('`').skip(1).step_by(2) {
+                let mut rest = code;
+                while let Some((before, behind)) = rest.split_once('(') {
+                    let name = before.rsplit(|c: char| c != '_' && !c.is_alphanumeric()).next();
+                    let name = name.unwrap_or_default();
+                    let is_known =
+                        name.is_empty() || own.contains(&name) || registry.get(name).is_some();
+                    assert!(is_known, "`{name}` of `{code}` for `{word}`");
+                    rest = behind;
+                }
+            }
+        }
+    }
+}

@@ -2,6 +2,7 @@
 
 use super::{
     autodiff::{no_derivative, through},
+    lower::foreign_names::advice as foreign_advice,
     machine::Machine,
 };
 use crate::{
@@ -65,6 +66,10 @@ impl Machine<'_> {
                 .hint(format!("a list has elements; a point of it is `({list}[0], {list}[1])`"));
         } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
             diagnostic = diagnostic.hint(call);
+        } else if names.is_empty()
+            && let Some(advice) = foreign_advice(name)
+        {
+            diagnostic = diagnostic.hint(advice);
         }
         let told = names.iter().take(MOST_FIELDS_TOLD).map(|name| shown_field(name));
         let list: Vec<String> = told.collect();

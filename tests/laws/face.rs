@@ -6,8 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    CircleForm, Cutter, Face, FaceError, Frame, GeomError, Grid, KnotVector, NurbsCurve,
-    NurbsSurface, RegionSide, TessellationOptions, Tolerance, glam::DVec3,
+    CircleForm, Cutter, Direction, Face, FaceError, Frame, GeomError, Grid, Interval, KnotVector,
+    NurbsCurve, NurbsSurface, RegionSide, TessellationOptions, Tolerance, glam::DVec3,
 };
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
@@ -280,4 +280,36 @@ fn faces_cut_from_surfaces_of_degree_one_have_bounds() {
         }
     }
     assert!(6 <= n_parts);
+}
+
+/// Parameters of stations and years have fewer digits behind the point than those from 0 to 1.
+#[test]
+fn parts_of_a_surface_are_the_same_wherever_its_parameters_lie() {
+    let height = |i: f64, k: f64| (2.0 * i).sin() * k.cos();
+    let row = |i: u8| {
+        let point = |k: u8| {
+            let (i, k) = (f64::from(i), f64::from(k));
+            DVec3::new(2.0 * i, 2.0 * k, height(i, k))
+        };
+        (0..=5).map(point).collect::<Vec<_>>()
+    };
+    let rows = (0..=5).map(row).collect();
+    let knots = [0, 1].map(|_| KnotVector::uniform_clamped(3, 6, 1.0).unwrap());
+    let [by_u, by_v] = knots;
+    let surface = NurbsSurface::polynomial(by_u, by_v, &Grid::from_rows(rows).unwrap()).unwrap();
+    let plane = Frame::XY.at(DVec3::Z * 0.1);
+    let split = |surface: NurbsSurface| {
+        areas(&whole(surface).split(&[Cutter::Plane(plane)], TOLERANCE).unwrap())
+    };
+    let expected = split(surface.clone());
+    assert_eq!(expected.len(), 7);
+    for start in [200.0, -2e4] {
+        let domain = Interval::new(start, start + 1.0).unwrap();
+        let found = split(surface.reparametrized(Direction::U, domain));
+        assert_eq!(found.len(), 7, "{start}");
+        for (found, expected) in found.iter().zip(&expected) {
+            // A tolerance along the borders.
+            assert!((found - expected).abs() < 1e-5, "{start}: {found} for {expected}");
+        }
+    }
 }

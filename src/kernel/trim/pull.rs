@@ -67,7 +67,7 @@ pub(super) struct PulledCurve<'a> {
     pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
-    /// The last bit of the surface's size, and of its coordinates, which may be far larger.
+    /// The last bit of the surface's size, and of its coordinates and parameters, which may be far larger.
     last_bit: f64,
     parameters: ArcParameters,
 }
@@ -87,7 +87,8 @@ pub(super) fn arcs_on_surface(
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let bounds = plane.surface.bounds();
     let size = bounds.diagonal();
-    let last_bit = LAST_BIT * size.max(bounds.magnitude());
+    let magnitude = bounds.magnitude().max(plane.bounds().magnitude());
+    let last_bit = LAST_BIT * size.max(magnitude);
     let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
