@@ -13,6 +13,10 @@ use crate::{
     tolerance::{GRADIENT_RELATIVE, LAST_BIT},
 };
 
+/// Halvings of a piece before its gradient is looked for where it is not smooth: with more the time that they took is
+/// lost more often than it is won.
+const MOST_HALVINGS: usize = 3;
+
 impl VariedCurve {
     /// The arc length over an interval of the domain, with its slopes.
     ///
@@ -49,18 +53,30 @@ impl VariedCurve {
         Ok(())
     }
 
-    /// The gradient where two rules agree on it, as they do on nearly every span; what differs about a jump in the
-    /// middle, and cancels, is no part of the integral.
+    /// The gradient where two rules agree on it, over the piece or over some halves of it, as they do on nearly every
+    /// span; what differs about a jump in the middle, and cancels, is no part of the integral.
     fn length_gradient_by_rules(
         &self,
         span: usize,
         piece: Interval,
     ) -> Result<Option<Vec<DVec4>>, GeomError> {
-        let (eight, _) = self.length_gradient_by(&EIGHT_NODES, span, piece)?;
-        let (sixteen, size) = self.length_gradient_by(&SIXTEEN_NODES, span, piece)?;
-        let allowed = DVec4::splat(GRADIENT_RELATIVE * size);
-        let agrees = eight.iter().zip(&sixteen).all(|(a, b)| (a - b).abs().cmple(allowed).all());
-        Ok(agrees.then_some(sixteen))
+        let mut sum = vec![DVec4::ZERO; self.curve().degree() + 1];
+        let mut allowed = None;
+        let mut waiting = vec![([piece.start(), piece.end()], 0)];
+        while let Some(([start, end], n_halvings)) = waiting.pop() {
+            let (eight, _) = self.length_gradient_by(&EIGHT_NODES, span, [start, end])?;
+            let (sixteen, size) = self.length_gradient_by(&SIXTEEN_NODES, span, [start, end])?;
+            let allowed = DVec4::splat(*allowed.get_or_insert(GRADIENT_RELATIVE * size));
+            if eight.iter().zip(&sixteen).all(|(a, b)| (a - b).abs().cmple(allowed).all()) {
+                sum.iter_mut().zip(sixteen).for_each(|(sum, part)| *sum += part);
+            } else if n_halvings < MOST_HALVINGS {
+                let middle = 0.5 * (start + end);
+                waiting.extend([[middle, end], [start, middle]].map(|half| (half, n_halvings + 1)));
+            } else {
+                return Ok(None);
+            }
+        }
+        Ok(Some(sum))
     }
 
     /// The gradient by one rule, and the integral of its largest component.
@@ -68,10 +84,9 @@ impl VariedCurve {
         &self,
         rule: &GaussRule<HALF>,
         span: usize,
-        piece: Interval,
+        [start, end]: [f64; 2],
     ) -> Result<(Vec<DVec4>, f64), GeomError> {
-        let (middle, half) =
-            (0.5 * (piece.start() + piece.end()), 0.5 * (piece.end() - piece.start()));
+        let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
         let (mut sum, mut size) = (vec![DVec4::ZERO; self.curve().degree() + 1], 0.0);
         for &[node, weight] in rule {
             for t in [middle - half * node, middle + half * node] {
