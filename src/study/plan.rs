@@ -106,7 +106,8 @@ impl Plan {
             return Err("the plan has no rows: nothing is to be evaluated".to_owned());
         }
         for column in &self.columns {
-            sum.add(column.name.as_bytes());
+            // With its unit and its role: under another header the same cells are other values.
+            sum.add(format!("{column:?}").as_bytes());
         }
         Ok((n_variants, sum.text()))
     }

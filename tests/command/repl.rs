@@ -104,6 +104,24 @@ a curve of degree 2 with 3 control points on 0..1
     assert_eq!(saved, "let a = 3\ncurve c = bezier((0, 0), (1, 2),\n  (2, 0))\nlet b = a + 1\n");
 }
 
+/// As `run` refuses them; of another script they may be meant for the one before.
+#[test]
+fn settings_that_no_parameter_takes_are_told() {
+    let scratch = Scratch::new("repl-settings");
+    scratch.file("a.geo", "param width = 1\n");
+    scratch.file("b.geo", "param depth = 1\n");
+    let (out, err, code) = piped(&scratch, &["a.geo", "-D", "widht=2"], "width\n");
+    assert_eq!((out.as_str(), code), ("", 3), "{err}");
+    assert!(err.contains("the script has no parameter `widht`; did you mean `width`?"), "{err}");
+    let input = "width\n:load b.geo\ndepth\n";
+    let (out, err, code) = piped(&scratch, &["a.geo", "-D", "width=2"], input);
+    assert_eq!((out.as_str(), code), ("2\n1\n", 0), "{err}");
+    assert!(err.contains("warning: the script has no parameter `width`"), "{err}");
+    // They wait for parameters that are still to come.
+    let (out, err, code) = piped(&scratch, &["-D", "width=2"], "param width = 1\nwidth\n");
+    assert_eq!((out.as_str(), code), ("width = 2\n2\n", 0), "{err}");
+}
+
 #[test]
 fn options_are_told_and_changed() {
     let scratch = Scratch::new("repl-set");

@@ -342,6 +342,25 @@ fn rows_of_another_study_are_not_mixed_in() {
     assert_eq!(code, 0, "{err}");
 }
 
+/// Under another header the cells are other values, though they are the same texts.
+#[test]
+fn a_plan_with_another_header_is_another_plan() {
+    let scratch = Scratch::new("study-header");
+    let slow = SLOW.replace("param n = 1", "param n = 1mm").replace("i * n", "i * n / 1mm");
+    scratch.file("a.geo", slow);
+    let rows = (1..=120).fold(String::new(), |text, i| text + &format!("{i}\n"));
+    scratch.file("p.csv", format!("n [mm]\n{rows}"));
+    let args = ["p.csv", "-o", "r.csv"];
+    killed(&scratch, &args, 20);
+    for header in ["n [cm]", "n"] {
+        scratch.file("p.csv", format!("{header}\n{rows}"));
+        let (_, err, code) = study(&scratch, &args);
+        assert!(err.contains("a study with another plan") && code == 3, "{header}: {err}");
+    }
+    scratch.file("p.csv", format!("n [mm]\n{rows}"));
+    assert_eq!(study(&scratch, &args).2, 0);
+}
+
 #[test]
 fn data_that_changed_is_told_and_two_studies_do_not_write_one_file() {
     let scratch = Scratch::new("study-data");

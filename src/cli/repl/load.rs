@@ -22,29 +22,43 @@ impl Prompt {
     /// judged; nothing is printed and no file written.
     pub(super) fn load(&mut self, path: &Path) {
         match Script::read(path, self.limits().source_bytes) {
-            Ok(script) => self.open(script),
+            Ok(script) => {
+                // They were meant for the script that the prompt began with.
+                for message in self.open(script) {
+                    self.voice.remark(&format!("warning: {message}"));
+                }
+            }
             Err(message) => self.refuse(&message),
         }
     }
 
-    /// [`Self::load`] of a script that was read.
-    pub(super) fn open(&mut self, script: Script) {
+    /// [`Self::load`] of a script that was read. What is returned are the settings that no parameter of it takes, a
+    /// sentence each.
+    pub(super) fn open(&mut self, script: Script) -> Vec<String> {
         let text = match script_text(&script.bytes) {
             Ok(text) => text.to_owned(),
-            Err(what) => return self.refuse(&format!("{}: {what}", script.name)),
+            Err(what) => {
+                self.refuse(&format!("{}: {what}", script.name));
+                return Vec::new();
+            }
         };
         let document = match PromptDocument::of(&text, self.limits()) {
             Ok(document) => document,
-            Err(found) => return self.tell_wrong(&script.name, &text, &found),
+            Err(found) => {
+                self.tell_wrong(&script.name, &text, &found);
+                return Vec::new();
+            }
         };
         let before = std::mem::take(&mut self.told);
         self.engine.move_to(&script.folder);
         let Some(ran) = self.evaluate("", '\n', &text, ["document", &script.name]) else {
             self.told = before;
             let folder = self.folder.clone();
-            return self.engine.move_to(&folder);
+            self.engine.move_to(&folder);
+            return Vec::new();
         };
         let mut report = ran.report;
+        let unknown = std::mem::take(&mut report.unknown_settings);
         let before = std::mem::replace(&mut self.document, document);
         self.undo.push(before, self.last.clone());
         self.folder = script.folder;
@@ -61,6 +75,7 @@ impl Prompt {
         };
         self.voice
             .remark(&format!("loaded {}: {n}{exports} ({time})", show::cut(&script.name, 200)));
+        unknown
     }
 
     /// Writes the document as a script. A file that is not its own is kept.

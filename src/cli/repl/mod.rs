@@ -74,7 +74,13 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
     if let Some(file) = file {
         // As of every other command.
         match Script::read(file, prompt.limits().source_bytes) {
-            Ok(script) => prompt.open(script),
+            Ok(script) => {
+                let unknown = prompt.open(script);
+                if !unknown.is_empty() {
+                    unknown.iter().for_each(|message| prompt.voice.trouble(message));
+                    return ExitStatus::Usage;
+                }
+            }
             Err(message) => {
                 prompt.voice.trouble(&message);
                 return ExitStatus::Usage;

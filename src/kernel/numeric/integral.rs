@@ -98,13 +98,23 @@ pub fn find_integral<E>(
 /// As for [`find_integral`].
 pub fn find_sized_integral<E>(
     mut function: impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    interval: [f64; 2],
+    allowed: [f64; 2],
+    n_looks: usize,
+) -> Result<Integral, IntegralError<E>> {
+    asked_integral(&mut function, interval, allowed, n_looks)
+}
+
+/// [`find_sized_integral`], compiled once for all functions with the same errors.
+fn asked_integral<E>(
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     [start, end]: [f64; 2],
     [relative, absolute]: [f64; 2],
     n_looks: usize,
 ) -> Result<Integral, IntegralError<E>> {
     let failed = IntegralError::Function;
     let mut pieces =
-        BinaryHeap::from(first_pieces(&mut function, [start, end], MOST_LOOKS).map_err(failed)?);
+        BinaryHeap::from(first_pieces(function, [start, end], MOST_LOOKS).map_err(failed)?);
     let (mut n_noisy, mut is_looked_at) = (0, n_looks == 0);
     let mut growth = IntegralGrowth::new([start, end]);
     loop {
@@ -116,7 +126,7 @@ pub fn find_sized_integral<E>(
             let mut settled = pieces.into_vec();
             // To all digits nothing settles beside a place that the integral does not reach.
             if relative * size < absolute {
-                let grown = growth.look(&mut function, &mut settled);
+                let grown = growth.look(function, &mut settled);
                 if grown.map_err(|Divergence { at }| endless(at, error))? {
                     pieces = settled.into();
                     continue;
@@ -127,7 +137,7 @@ pub fn find_sized_integral<E>(
                 is_looked_at = true;
                 let counts = allowed.max(INTEGRAL_SEEN_RELATIVE * size);
                 let looks = places_between([start, end], n_looks);
-                if is_cut_at(&mut function, &mut settled, looks, counts).map_err(failed)? {
+                if is_cut_at(function, &mut settled, looks, counts).map_err(failed)? {
                     pieces = settled.into();
                     continue;
                 }
@@ -135,7 +145,7 @@ pub fn find_sized_integral<E>(
             let is_wide = |piece: &IntegrationInterval| is_wide(piece, end - start);
             let n_left = INTEGRAL_PIECES.saturating_sub(settled.len());
             if n_left == 0
-                || !unseen_jump(&mut function, &mut settled, allowed, is_wide).map_err(failed)?
+                || !unseen_jump(function, &mut settled, allowed, is_wide).map_err(failed)?
             {
                 return Ok(total(&settled, error, size));
             }
@@ -146,7 +156,7 @@ pub fn find_sized_integral<E>(
         if !is_wide(&worst, end - start) || INTEGRAL_PIECES <= pieces.len() || !is_known {
             return Err(unsettled(&worst, &pieces, error));
         }
-        let mut parts = parts(&mut function, &pieces, &worst, allowed / FINER).map_err(failed)?;
+        let mut parts = parts(function, &pieces, &worst, allowed / FINER).map_err(failed)?;
         parts.iter_mut().for_each(|part| growth.weigh(part));
         n_noisy = if is_noise(&worst, &parts) { n_noisy + 1 } else { 0 };
         if n_noisy == NOISY_HALVINGS {
@@ -159,7 +169,7 @@ pub fn find_sized_integral<E>(
 
 /// A piece cut beside its kink, or in halves.
 fn parts<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &BinaryHeap<IntegrationInterval>,
     worst: &IntegrationInterval,
     budget: f64,

@@ -58,7 +58,7 @@ impl IntegralGrowth {
     /// A place up to which there is no integral.
     pub(super) fn look<E>(
         &mut self,
-        function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+        function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
         pieces: &mut Vec<IntegrationInterval>,
     ) -> Result<bool, Divergence> {
         let mut is_larger = false;
@@ -92,7 +92,7 @@ impl IntegralGrowth {
     /// Lets pieces end at a place, with errors as large as they may be beside it; whether that is so.
     fn cut<E>(
         &self,
-        function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+        function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
         pieces: &mut Vec<IntegrationInterval>,
         at: f64,
     ) -> bool {
@@ -116,7 +116,7 @@ impl IntegralGrowth {
     /// it is kept.
     fn singularity(
         &mut self,
-        size_at: &mut impl FnMut(f64) -> Option<f64>,
+        size_at: &mut dyn FnMut(f64) -> Option<f64>,
         piece: &IntegrationInterval,
     ) -> Result<Option<f64>, Divergence> {
         let [from, to] = piece.interval;
@@ -185,7 +185,7 @@ impl SingularEnd {
 
 /// What rules do not tell up to a place, from so far beside it.
 fn seen_tail(
-    size_at: &mut impl FnMut(f64) -> Option<f64>,
+    size_at: &mut dyn FnMut(f64) -> Option<f64>,
     at: f64,
     reach: f64,
 ) -> Result<SeenTail, Divergence> {
@@ -200,7 +200,7 @@ fn seen_tail(
 
 /// The place in a piece towards which a function grows without bound, as far as a thousandth of the way shows; where it
 /// fails on the way, that is the place.
-fn peak(size_at: &mut impl FnMut(f64) -> Option<f64>, piece: &IntegrationInterval) -> Option<f64> {
+fn peak(size_at: &mut dyn FnMut(f64) -> Option<f64>, piece: &IntegrationInterval) -> Option<f64> {
     let [from, to] = piece.interval;
     let (mut at, lowest) = piece.samples.greatest()?;
     let (mut most, mut reach) = (lowest, (to - from) / NODES_APART);

@@ -19,7 +19,7 @@ const END_LOOKS: i32 = 13;
 
 /// The narrow interval in which the function kinks inside of a piece that looks like it, between its neighbours.
 pub(super) fn kink<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &BinaryHeap<IntegrationInterval>,
     piece: &IntegrationInterval,
     budget: f64,
@@ -43,7 +43,7 @@ pub(super) fn kink<E>(
 
 /// The interval of a piece, or of two beside one another, cut on both sides of a kink.
 pub(super) fn beside_kink<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     [first, last]: [&IntegrationInterval; 2],
     [low, high]: [f64; 2],
 ) -> Result<Vec<IntegrationInterval>, E> {
@@ -69,7 +69,7 @@ pub(super) fn beside_kink<E>(
 /// meet, or a question beside an end of the interval: by so much that it counts beside the error that is allowed. Whether
 /// there were any.
 pub(super) fn unseen_jump<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &mut Vec<IntegrationInterval>,
     allowed: f64,
     is_wide: impl Fn(&IntegrationInterval) -> bool,
@@ -80,7 +80,7 @@ pub(super) fn unseen_jump<E>(
 
 /// As [`unseen_jump`], between neighbours.
 fn jump_between<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &mut Vec<IntegrationInterval>,
     allowed: f64,
     is_wide: &impl Fn(&IntegrationInterval) -> bool,
@@ -113,7 +113,7 @@ fn jump_between<E>(
 
 /// As [`unseen_jump`], between an end of the interval and the node beside it.
 fn jump_beside_end<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &mut Vec<IntegrationInterval>,
     allowed: f64,
     is_wide: &impl Fn(&IntegrationInterval) -> bool,
@@ -161,7 +161,7 @@ fn unlike_beside_end<E>(
     piece: &IntegrationInterval,
     side: usize,
     allowed: f64,
-    ask: &mut impl FnMut(f64) -> Result<Vec<f64>, E>,
+    ask: &mut dyn FnMut(f64) -> Result<Vec<f64>, E>,
 ) -> Option<(f64, Vec<f64>)> {
     let (end, node) = (piece.interval[side], piece.outer_nodes()[side]);
     let place = |look: i32| end + libm::pow(BESIDE_END, f64::from(look)) * (node - end);

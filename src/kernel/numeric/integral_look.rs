@@ -14,7 +14,7 @@ pub(super) fn places_between([start, end]: [f64; 2], n: usize) -> (Vec<f64>, f64
 /// Cuts out of pieces, in order, what lies around those places at which the function is not what its piece says, by so
 /// much that it counts over their distance; whether there are any. Where it fails it is not asked again.
 pub(super) fn is_cut_at<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     pieces: &mut Vec<IntegrationInterval>,
     (places, width): (Vec<f64>, f64),
     allowed: f64,

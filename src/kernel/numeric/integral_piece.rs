@@ -127,7 +127,7 @@ type NodeSample = (Vec<f64>, f64, f64);
 /// The integral over a piece by sixteen nodes. Its error is that of eight nodes beside the polynomial through the
 /// sixteen, without signs: with them the errors about a jump in the middle cancel.
 pub(super) fn piece<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     interval: [f64; 2],
 ) -> Result<IntegrationInterval, E> {
     let mut samples = SampledPiece::default();
@@ -170,7 +170,7 @@ pub(super) fn piece<E>(
 
 /// The function at the nodes of a rule.
 fn by_rule<const HALF: usize, E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     rule: &GaussRule<HALF>,
     [start, end]: [f64; 2],
     mut keep: impl FnMut(f64, &[f64]),
@@ -189,7 +189,7 @@ fn by_rule<const HALF: usize, E>(
 
 /// Both halves of a piece.
 pub(super) fn halves<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     whole: &IntegrationInterval,
 ) -> Result<Vec<IntegrationInterval>, E> {
     let ([from, to], middle) = (whole.interval, whole.middle());

@@ -11,7 +11,7 @@ const END_LOOKS: usize = 32;
 /// The whole interval; or, where a function is zero at all nodes, such as exp(−x) far out, what lies between places
 /// at which it is not, nearer and nearer to the ends and to zero.
 pub(super) fn first_pieces<E>(
-    function: &mut impl FnMut(f64) -> Result<(Vec<f64>, f64), E>,
+    function: &mut dyn FnMut(f64) -> Result<(Vec<f64>, f64), E>,
     ends: [f64; 2],
     most_looks: usize,
 ) -> Result<Vec<IntegrationInterval>, E> {

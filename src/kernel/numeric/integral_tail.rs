@@ -39,7 +39,7 @@ impl Tail {
     /// From so far beside a place, as near as numbers go if it takes that to see it fall; none where the function fails
     /// near it.
     pub(super) fn towards(
-        size_at: &mut impl FnMut(f64) -> Option<f64>,
+        size_at: &mut dyn FnMut(f64) -> Option<f64>,
         at: f64,
         reach: f64,
     ) -> Option<Self> {
@@ -60,7 +60,7 @@ impl Tail {
     /// Down to a distance, or a larger one where the function fails there.
     fn down_to(
         mut nearest: f64,
-        size_at: &mut impl FnMut(f64) -> Option<f64>,
+        size_at: &mut dyn FnMut(f64) -> Option<f64>,
         at: f64,
         reach: f64,
     ) -> Option<Self> {

@@ -147,12 +147,15 @@ impl ReviewedRun<'_> {
             let written = |value: &Value| parameter.written(value, unit);
             let (value, default) = (value.map(written), written(&parameter.default));
             let is_default = value.as_ref() == Some(&default);
+            // As the script says it.
+            let allowed = parameter.allowed.as_ref().map(written);
+            let step = parameter.step.map(|step| format!("step {}", written(&Value::Number(step))));
             let about = parameter.label.iter().chain(&parameter.docs);
             vec![
                 code(&parameter.name),
                 code(&value.unwrap_or_default()),
                 code(if is_default { "" } else { &default }),
-                code(&parameter.allowed.as_ref().map(written).unwrap_or_default()),
+                code(&[allowed, step].into_iter().flatten().collect::<Vec<_>>().join(" ")),
                 text(&about.map(String::as_str).collect::<Vec<_>>().join("; ")),
             ]
         };
