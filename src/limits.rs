@@ -98,8 +98,8 @@ impl Limits {
     pub const WEB: Self = Self {
         nesting: 128,
         chain: 250,
-        call_depth: 64,
-        evaluation_depth: 400,
+        call_depth: 160,
+        evaluation_depth: 800,
         value_depth: 200,
         stack_bytes: 64 << 20,
         memory_bytes: 2 << 30,

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::{
-    autodiff::{point_on_curve, point_on_surface, run},
+    autodiff::run,
     function::ScriptFunction,
     globals::Globals,
     ir::{CallExpr, Expr},
@@ -15,14 +15,14 @@ use super::{
 };
 use crate::{
     diag::{Code, Diagnostic, Fix, Label, Result, Span, Spanned},
-    kernel::{Jet, Surface},
+    kernel::Jet,
     limits::{
         Ceiling,
         work::{self, End},
     },
     value::{
-        At, Call, Ctx, FormalParameter, FromValue, Function, Mistakes, Op, Real, Type, Value,
-        assign, choose, pointed, turned_around,
+        Call, Ctx, FormalParameter, Function, Mistakes, Op, Value, assign, choose, pointed,
+        turned_around,
     },
 };
 
@@ -30,7 +30,7 @@ use crate::{
 const MOST_CALLERS: usize = 8;
 
 /// The value, unless arithmetic inside a built-in has left the numbers.
-fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
+pub(super) fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
     let is_finite = |value: &Value| match value {
         Value::Number(number) => number.value.is_finite(),
         Value::Point(point) => point.is_finite(),
@@ -61,6 +61,7 @@ fn made_parts(value: &Value) -> u64 {
 
 impl Machine<'_> {
     /// Evaluates a call as written.
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn call_expr(&mut self, call: &CallExpr, span: Span) -> Result<Value> {
         let callee = self.eval(&call.callee)?;
         if call.is_partial {
@@ -88,9 +89,9 @@ impl Machine<'_> {
         self.invoke(function, Call { span, positional, named: Vec::new() }, span)
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn invoke(&mut self, callee: &Value, call: Call, place: Span) -> Result<Value> {
         self.step(call.span)?;
-        let tolerance = self.env.tolerance;
         match callee {
             Value::Function(Function::Builtin(name, ops)) => self.builtin(name, ops, call),
             Value::Function(Function::Closure(closure)) => {
@@ -100,87 +101,16 @@ impl Machine<'_> {
                 }
             }
             Value::Function(Function::Partial(partial)) => self.fill(partial, call, place),
-            Value::Curve(_) | Value::JetCurve(_) => {
-                let [t] = self.parameters(callee, "c(t)", &call)?;
-                let (point, used) = self.meter().lend(|| point_on_curve(callee, t, call.span));
-                self.set_meter(used);
-                finite(point?, "c(t)", call.span)
-            }
-            Value::Surface(_) | Value::JetSurface(_) => {
-                let [u, v] = self.parameters(callee, "s(u, v)", &call)?;
-                let (point, used) =
-                    self.meter().lend(|| point_on_surface(callee, [u, v], call.span));
-                self.set_meter(used);
-                finite(point?, "s(u, v)", call.span)
-            }
-            Value::Face(face) => {
-                let parameters = self.parameters(callee, "f(u, v)", &call)?;
-                let surface = Value::Surface(Surface::Nurbs(Arc::clone(face.surface())));
-                let [u, v] = parameters.each_ref().map(|parameter| parameter.value.value());
-                let (point, used) = self.meter().lend(|| {
-                    let point = point_on_surface(&surface, parameters, call.span)?;
-                    face.check_inside([u, v], tolerance.distance).at(call.span)?;
-                    Result::Ok(point)
-                });
-                self.set_meter(used);
-                finite(point?, "f(u, v)", call.span)
-            }
-            other => {
-                let message = format!("{} cannot be called", other.phrase());
-                let diagnostic = Diagnostic::error(Code::NotCallable, place, message);
-                match other {
-                    Value::Number(_) => diagnostic
-                        .label("is a `,` missing after this?")
-                        .hint("a product is written `a * b`")
-                        .fix(Fix::insert(Span::new(place.end, place.end), " * ")),
-                    Value::Point(_) | Value::List(_) => {
-                        diagnostic.label("is a `,` missing after this?")
-                    }
-                    _ => diagnostic.hint("functions, curves and surfaces can be called"),
-                }
-                .fail()
-            }
+            Value::Curve(_)
+            | Value::JetCurve(_)
+            | Value::Surface(_)
+            | Value::JetSurface(_)
+            | Value::Face(_) => self.place_on(callee, &call),
+            other => not_callable(other, place).fail(),
         }
     }
 
-    /// The parameters with which a curve or surface is called.
-    fn parameters<const N: usize>(
-        &self,
-        callee: &Value,
-        form: &str,
-        call: &Call,
-    ) -> Result<[Spanned<Real>; N]> {
-        let bad = |span, message: String| {
-            Diagnostic::error(Code::BadCall, span, message)
-                .hint(format!("a {} is called as `{form}`", callee.kind()))
-                .fail()
-        };
-        if let Some((label, _)) = call.named.first() {
-            return bad(
-                label.span,
-                format!("a {} has no parameter `{}`", callee.kind(), label.value),
-            );
-        }
-        if call.positional.len() != N {
-            let found = call.positional.len();
-            let parameters = if N == 1 { "parameter" } else { "parameters" };
-            return bad(
-                call.span,
-                format!("a {} takes {N} {parameters}, found {found}", callee.kind()),
-            );
-        }
-        let mut values = [(); N].map(|()| Spanned::new(Real::Plain(0.0), call.span));
-        for (slot, arg) in values.iter_mut().zip(&call.positional) {
-            let value = Real::from_value(&arg.value, arg.span).map_err(|mismatch| {
-                let message =
-                    mismatch.sentence(&format!("a parameter of a {}", callee.kind()), Type::Ratio);
-                Box::new(Diagnostic::error(mismatch.code, arg.span, message))
-            })?;
-            *slot = Spanned::new(value, arg.span);
-        }
-        Ok(values)
-    }
-
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn builtin(&mut self, name: &str, ops: &[&'static Op], call: Call) -> Result<Value> {
         if let Some(value) = on_few_numbers(ops, &call) {
             return Ok(value);
@@ -240,6 +170,7 @@ impl Machine<'_> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
         self.n_calls += 1;
         let span = call.span;
@@ -250,18 +181,23 @@ impl Machine<'_> {
             self.too_deep(message, Ceiling::CALL_DEPTH, span)
         };
         self.n_calls -= 1;
-        result.map_err(|mut diagnostic| {
-            let is_told = diagnostic.primary.span == span
-                || diagnostic.others.iter().any(|other| other.span == span);
-            if !is_told {
-                self.tell_caller(&mut diagnostic, function.lambda().name.as_deref(), span);
+        match result {
+            Ok(value) => Ok(value),
+            Err(mut found) => {
+                self.tell_caller(&mut found, function.lambda().name.as_deref(), span);
+                Err(found)
             }
-            diagnostic
-        })
+        }
     }
 
-    /// One more caller of what failed; of a long chain the innermost and the outermost.
+    /// One more caller of what failed, unless it is told already; of a long chain the innermost and the outermost.
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn tell_caller(&mut self, diagnostic: &mut Diagnostic, name: Option<&str>, span: Span) {
+        let is_told = diagnostic.primary.span == span
+            || diagnostic.others.iter().any(|other| other.span == span);
+        if is_told {
+            return;
+        }
         let text = match name {
             Some(name) => format!("`{name}` is called from here"),
             None => "called from here".to_owned(),
@@ -277,41 +213,44 @@ impl Machine<'_> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn run_script(&mut self, function: &ScriptFunction, call: Call) -> Result<Value> {
+        let slots = self.bound(function, call)?;
+        self.enter(function, slots, Self::eval)
+    }
+
+    /// The arguments of a call by the parameters of the function; none where a default stands in.
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    fn bound(&self, function: &ScriptFunction, call: Call) -> Result<Vec<Option<Value>>> {
         let lambda = function.lambda();
         let mut mistakes = Mistakes::default();
         let span = call.span;
         let is_plain = call.named.is_empty()
             && call.positional.len() == lambda.parameters.len()
             && lambda.parameters.iter().all(|parameter| parameter.default.is_none());
-        let slots: Vec<Option<Value>> = if is_plain {
-            call.positional.into_iter().map(|arg| Some(arg.value)).collect()
-        } else {
-            let formals: Vec<FormalParameter<'_>> = lambda
-                .parameters
-                .iter()
-                .map(|parameter| FormalParameter {
-                    name: &parameter.name,
-                    optional: parameter.default.is_some(),
-                    by_position: false,
-                    ty: None,
-                })
-                .collect();
-            let slots = assign(&formals, call, &mut mistakes);
-            if !mistakes.is_empty() {
-                let called = match &lambda.name {
-                    Some(name) => format!("`{name}`"),
-                    None => "this function".to_owned(),
-                };
-                return Err(mistakes.complaint(
-                    &called,
-                    &crate::value::Closure::signature(function),
-                    span,
-                ));
-            }
-            slots.into_iter().map(|slot| slot.map(|arg| arg.value)).collect()
-        };
-        self.enter(function, slots, Self::eval)
+        if is_plain {
+            return Ok(call.positional.into_iter().map(|arg| Some(arg.value)).collect());
+        }
+        let formals: Vec<FormalParameter<'_>> = lambda
+            .parameters
+            .iter()
+            .map(|parameter| FormalParameter {
+                name: &parameter.name,
+                optional: parameter.default.is_some(),
+                by_position: false,
+                ty: None,
+            })
+            .collect();
+        let slots = assign(&formals, call, &mut mistakes);
+        if !mistakes.is_empty() {
+            let called = match &lambda.name {
+                Some(name) => format!("`{name}`"),
+                None => "this function".to_owned(),
+            };
+            let signature = crate::value::Closure::signature(function);
+            return Err(mistakes.complaint(&called, &signature, span));
+        }
+        Ok(slots.into_iter().map(|slot| slot.map(|arg| arg.value)).collect())
     }
 
     /// Runs what is to be done with the body of a function in a frame of its own.
@@ -337,6 +276,7 @@ impl Machine<'_> {
     }
 
     /// Enters the file of a function, unless it runs already; the file that ran before.
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn go_home(&mut self, function: &ScriptFunction) -> Result<Option<Arc<Globals>>> {
         if std::ptr::eq(function.home.as_ptr(), Arc::as_ptr(&self.home)) {
             return Ok(None);
@@ -347,6 +287,7 @@ impl Machine<'_> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn fill_frame(&mut self, function: &ScriptFunction, args: Vec<Option<Value>>) -> Result<()> {
         for (slot, (arg, parameter)) in
             args.into_iter().zip(&function.lambda().parameters).enumerate()
@@ -360,6 +301,20 @@ impl Machine<'_> {
             self.stack[place] = value;
         }
         Ok(())
+    }
+}
+
+/// What is wrong with a call of what is no function.
+fn not_callable(callee: &Value, place: Span) -> Diagnostic {
+    let message = format!("{} cannot be called", callee.phrase());
+    let diagnostic = Diagnostic::error(Code::NotCallable, place, message);
+    match callee {
+        Value::Number(_) => diagnostic
+            .label("is a `,` missing after this?")
+            .hint("a product is written `a * b`")
+            .fix(Fix::insert(Span::new(place.end, place.end), " * ")),
+        Value::Point(_) | Value::List(_) => diagnostic.label("is a `,` missing after this?"),
+        _ => diagnostic.hint("functions, curves and surfaces can be called"),
     }
 }
 

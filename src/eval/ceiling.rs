@@ -82,6 +82,7 @@ impl Machine<'_> {
     }
 
     /// The value, unless it is deeper or larger than whoever walks through it can bear.
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn check_extent(&self, value: Value, span: Span) -> Result<Value> {
         let (ValueExtent { depth, size, .. }, limits) = (value.extent(), self.env.limits);
         let (message, ceiling) = if limits.value_depth < depth {
@@ -100,6 +101,7 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).crossing(ceiling).fail()
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn too_deep<T>(
         &self,
         message: String,

@@ -37,6 +37,7 @@ fn not_a_coordinate(value: &Value, unit: Unit, span: Span) -> Result<Value> {
 }
 
 impl Machine<'_> {
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn point(&mut self, coordinates: &[Expr; 3]) -> Result<Value> {
         let mut point = DVec3::ZERO;
         let mut jets: [Option<Real>; 3] = [None, None, None];
@@ -69,6 +70,7 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).crossing(Ceiling::LIST_LENGTH).fail()
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn list(&mut self, elements: &[Element], span: Span) -> Result<Value> {
         let mut items = Vec::with_capacity(elements.len());
         for element in elements {
@@ -115,6 +117,7 @@ impl Machine<'_> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn record(&mut self, fields: &[(Arc<str>, Expr)]) -> Result<Value> {
         let mut values = Vec::with_capacity(fields.len());
         for (label, expr) in fields {
@@ -140,6 +143,7 @@ impl Machine<'_> {
             .map_err(|refusal| refusal.at(span))
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn text(&mut self, pieces: &[StringPart], span: Span) -> Result<Value> {
         let mut out = String::new();
         for piece in pieces {
@@ -162,6 +166,7 @@ impl Machine<'_> {
         Ok(text)
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn comprehension(
         &mut self,
         comprehension: &Comprehension,

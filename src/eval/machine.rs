@@ -2,7 +2,8 @@
 //!
 //! Frames lie on one stack of values; a function sees its frame, what it captured, and the
 //! definitions of the file. Depth and steps are counted, so that nothing a script does can
-//! exhaust the stack or run for ever.
+//! exhaust the stack or run for ever. In a page the stack is the browser's: what lies between two expressions there is
+//! not inlined (`inline(never)`), so that each frame holds what its own work needs, and no more.
 
 use std::{
     collections::BTreeSet,
@@ -141,9 +142,7 @@ impl<'a> Machine<'a> {
         let result = if self.depth <= self.env.limits.evaluation_depth {
             self.dispatch(expr)
         } else {
-            let most = self.env.limits.evaluation_depth;
-            let what = format!("expressions lie more than {most} deep inside one another");
-            self.too_deep(what, Ceiling::EVALUATION_DEPTH, expr.span)
+            self.expressions_too_deep(expr.span)
         };
         self.depth -= 1;
         match result {
@@ -152,6 +151,14 @@ impl<'a> Machine<'a> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    fn expressions_too_deep(&mut self, span: Span) -> Result<Value> {
+        let most = self.env.limits.evaluation_depth;
+        let what = format!("expressions lie more than {most} deep inside one another");
+        self.too_deep(what, Ceiling::EVALUATION_DEPTH, span)
+    }
+
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn dispatch(&mut self, expr: &Expr) -> Result<Value> {
         let span = expr.span;
         match &expr.kind {
@@ -185,6 +192,7 @@ impl<'a> Machine<'a> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn global(&self, idx: usize, span: Span) -> Result<Value> {
         match self.home.known(idx) {
             Some(value) => Ok(value.clone()),
@@ -221,6 +229,7 @@ impl<'a> Machine<'a> {
         self.running.as_ref().map_or(Value::None, |running| running.sibling(idx))
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[CaptureSource]) -> Value {
         let captures = sources
             .iter()
@@ -235,6 +244,7 @@ impl<'a> Machine<'a> {
         Value::Function(Function::Closure(Arc::new(function)))
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn choose(&mut self, parts: &[Expr; 3]) -> Result<Value> {
         let [condition, yes, no] = parts;
         if self.truth(condition, "the condition of `if`")? { self.eval(yes) } else { self.eval(no) }
@@ -251,6 +261,7 @@ impl<'a> Machine<'a> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn binary(&mut self, op: BinaryOp, sides: &[Expr; 2], span: Span) -> Result<Value> {
         let [left, right] = sides;
         match binary_meaning(op) {
@@ -270,16 +281,28 @@ impl<'a> Machine<'a> {
                 }
                 let places =
                     operator::OperandPlaces { whole: span, left: left.span, right: right.span };
-                self.passes(a.extent().size.min(b.extent().size), span)?;
-                let value = operator::binary(op, &a, &b, places, self.env.tolerance)?;
-                if let Some(noted) = &mut self.switches {
-                    noted.extend(operator::switch(op, [&a, &b], &value, span));
-                }
-                Ok(value)
+                self.combined(op, [&a, &b], places)
             }
         }
     }
 
+    /// What an operator makes of two values.
+    #[cfg_attr(target_family = "wasm", inline(never))]
+    fn combined(
+        &mut self,
+        op: BinaryOp,
+        [a, b]: [&Value; 2],
+        places: operator::OperandPlaces,
+    ) -> Result<Value> {
+        self.passes(a.extent().size.min(b.extent().size), places.whole)?;
+        let value = operator::binary(op, a, b, places, self.env.tolerance)?;
+        if let Some(noted) = &mut self.switches {
+            noted.extend(operator::switch(op, [a, b], &value, places.whole));
+        }
+        Ok(value)
+    }
+
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn within(&mut self, parts: &[Expr; 3]) -> Result<Value> {
         let [left, right, _] = parts;
         let (a, b) = (self.eval(left)?, self.eval(right)?);
@@ -288,6 +311,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The number after `within`: a plain one, in the units of both sides, or one of their dimension.
+    #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn tolerance_of(&mut self, expr: &Expr, sides: [&Value; 2]) -> Result<f64> {
         match self.eval(expr)? {
             Value::Number(number) if 0.0 <= number.value => {
@@ -306,6 +330,7 @@ impl<'a> Machine<'a> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn block(&mut self, block: &Block) -> Result<Value> {
         self.define(block)?;
         self.eval(&block.value)
@@ -321,6 +346,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {
         let (subject, index) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
         match (&subject, &index) {
@@ -331,6 +357,7 @@ impl<'a> Machine<'a> {
         }
     }
 
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
         if let Some(known) = self.fields.find(&value, name) {

@@ -19,6 +19,7 @@ mod field;
 mod field_memory;
 mod file_run;
 mod function;
+mod geometry_call;
 mod globals;
 mod import;
 mod import_fault;

@@ -51,9 +51,14 @@ struct ColumnCount {
 }
 
 impl ColumnCount {
-    fn add(&mut self, character: char) {
-        self.utf16 += ColumnUnit::Utf16.width(character);
-        self.utf32 += ColumnUnit::Utf32.width(character);
+    /// Counts a part of a text in UTF-8, without a branch for each character.
+    fn add(&mut self, part: &str) {
+        let bytes = part.as_bytes();
+        let n_characters = bytes.iter().filter(|byte| !(0x80..0xc0).contains(*byte)).count();
+        // Characters of four bytes are two halves of a surrogate pair.
+        let n_pairs = bytes.iter().filter(|byte| 0xf0 <= **byte).count();
+        self.utf16 += n_characters + n_pairs;
+        self.utf32 += n_characters;
     }
 }
 
@@ -70,14 +75,15 @@ impl LineIndex {
         };
         let ends = (0..bytes.len()).filter(is_end).map(|at| at + 1);
         let starts = std::iter::once(0).chain(ends).collect();
-        let (mut columns, mut blocks) = (ColumnCount::default(), Vec::new());
-        for (at, character) in text.char_indices() {
+        let (mut columns, mut before) = (ColumnCount::default(), 0);
+        let n_blocks = text.len().div_ceil(BLOCK);
+        let block = |idx| {
             // A block begins with the character that its first byte belongs to.
-            if blocks.len() * BLOCK < at + character.len_utf8() {
-                blocks.push(columns);
-            }
-            columns.add(character);
-        }
+            let start = block_start(text, idx);
+            columns.add(&text[std::mem::replace(&mut before, start)..start]);
+            columns
+        };
+        let blocks = (0..n_blocks).map(block).collect();
         Self { starts, blocks }
     }
 
@@ -119,7 +125,7 @@ impl LineIndex {
     fn columns(&self, text: &str, at: usize, unit: ColumnUnit) -> usize {
         let block = (at / BLOCK).min(self.blocks.len().saturating_sub(1));
         let mut columns = self.blocks.get(block).copied().unwrap_or_default();
-        text[block_start(text, block)..at].chars().for_each(|character| columns.add(character));
+        columns.add(&text[block_start(text, block)..at]);
         match unit {
             ColumnUnit::Utf8 => at,
             ColumnUnit::Utf16 => columns.utf16,

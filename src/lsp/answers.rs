@@ -4,7 +4,7 @@ use lsp_server::ErrorCode;
 use serde::{Serialize, de::DeserializeOwned};
 use serde_json::Value as Json;
 
-use super::server::{RequestError, RequestResult, Server};
+use super::server::{RequestError, Server, WrittenResult};
 
 /// Whether a request waits for the values of the text as it stands: what it shows would be of another
 /// text otherwise, or lack them.
@@ -13,7 +13,7 @@ pub(super) fn needs_values(method: &str) -> bool {
 }
 
 /// The answer to a request.
-pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> RequestResult {
+pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> WrittenResult {
     match method {
         "textDocument/hover" => with(params, |params| server.hover(&params)),
         "textDocument/completion" => with(params, |params| server.completion(&params)),
@@ -22,8 +22,8 @@ pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Req
         "textDocument/definition" => with(params, |params| server.definition(&params)),
         "textDocument/references" => with(params, |params| server.references(&params)),
         "textDocument/documentHighlight" => with(params, |params| server.highlights(&params)),
-        "textDocument/prepareRename" => server.prepare_rename(&parsed(params)?),
-        "textDocument/rename" => server.rename(&parsed(params)?),
+        "textDocument/prepareRename" => written(&server.prepare_rename(&parsed(params)?)?),
+        "textDocument/rename" => written(&server.rename(&parsed(params)?)?),
         "textDocument/documentSymbol" => with(params, |params| server.symbols(&params)),
         "workspace/symbol" => with(params, |params| server.workspace_symbols(&params)),
         "textDocument/foldingRange" => with(params, |params| server.folds(&params)),
@@ -42,7 +42,7 @@ pub(super) fn answer(server: &mut Server<'_>, method: &str, params: Json) -> Req
         "textDocument/prepareCallHierarchy" => with(params, |params| server.prepare_calls(&params)),
         "callHierarchy/incomingCalls" => with(params, |params| server.incoming_calls(&params)),
         "callHierarchy/outgoingCalls" => with(params, |params| server.outgoing_calls(&params)),
-        "workspace/executeCommand" => server.execute(&params),
+        "workspace/executeCommand" => written(&server.execute(&params)?),
         _ => Err(RequestError(ErrorCode::MethodNotFound, format!("there is no method `{method}`"))),
     }
 }
@@ -57,8 +57,11 @@ fn parsed<P: DeserializeOwned>(params: Json) -> Result<P, RequestError> {
 fn with<P: DeserializeOwned, R: Serialize>(
     params: Json,
     look: impl FnOnce(P) -> Option<R>,
-) -> RequestResult {
-    let found = look(parsed(params)?);
-    serde_json::to_value(found)
+) -> WrittenResult {
+    written(&look(parsed(params)?))
+}
+
+fn written(found: &impl Serialize) -> WrittenResult {
+    serde_json::to_string(found)
         .map_err(|err| RequestError(ErrorCode::InternalError, err.to_string()))
 }

@@ -27,6 +27,7 @@ use std::io;
 
 use lsp_server::{Connection, ProtocolError};
 
+use self::transport::Outgoing;
 use crate::{
     limits::{stack, work::StopToken},
     session::Session,
@@ -40,8 +41,13 @@ pub(crate) type SessionMaker<'a> = &'a (dyn Fn(StopToken) -> Session + Sync);
 /// # Errors
 /// Where it says something else first.
 pub(crate) fn serve_streams(session: SessionMaker<'_>) -> io::Result<()> {
-    let (connection, writer) = transport::connect(io::BufReader::new(io::stdin()), io::stdout());
-    let served = serve(connection, session);
+    let input = io::BufReader::new(io::stdin());
+    let (connection, told, writer) = transport::connect(input, io::BufWriter::new(io::stdout()));
+    let served = converse(connection, session, &|message| {
+        // Where the client is gone the loop ends.
+        let _ = told.send(message);
+    });
+    drop(told);
     let written = writer.join().unwrap_or_else(|_| Err(io::Error::other("the writer failed")));
     served.map_err(|err| io::Error::other(err.to_string()))?;
     written
@@ -52,6 +58,18 @@ pub(crate) fn serve_streams(session: SessionMaker<'_>) -> io::Result<()> {
 /// # Errors
 /// Where it breaks the protocol's beginning.
 pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), ProtocolError> {
+    let sender = connection.sender.clone();
+    converse(connection, session, &|told| {
+        let _ = sender.send(told.message());
+    })
+}
+
+/// Greets a client over a connection, hears it there, and answers by `tell`.
+fn converse(
+    connection: Connection,
+    session: SessionMaker<'_>,
+    tell: &dyn Fn(Outgoing),
+) -> Result<(), ProtocolError> {
     let greeted = connection.initialize_start().and_then(|(id, params)| {
         let client = capabilities::Client::of(&params);
         connection.initialize_finish(id, capabilities::initialize_result(&client))?;
@@ -62,6 +80,9 @@ pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), Pr
         Err(err) if err.channel_is_disconnected() => return Ok(()),
         greeted => greeted?,
     };
+    let Connection { sender, receiver } = connection;
+    // What was to be told by it has been.
+    drop(sender);
     let queue = worker::EvaluationQueue::default();
     let (done, finished) = crossbeam_channel::unbounded();
     std::thread::scope(|scope| {
@@ -69,7 +90,7 @@ pub fn serve(connection: Connection, session: SessionMaker<'_>) -> Result<(), Pr
             let bytes = crate::limits::Limits::DEFAULT.stack_bytes;
             stack::with(bytes, |_| worker::work(&queue, session, &done));
         });
-        let mut server = server::Server::new(&connection, &queue, session, client);
+        let mut server = server::Server::new(&receiver, tell, &queue, session, client);
         let served = server.run(&finished);
         queue.end();
         served

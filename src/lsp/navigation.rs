@@ -320,6 +320,7 @@ fn call_item(name: &ide::DefinedName, uri: &Uri, places: &TextPlaces<'_>) -> Cal
 }
 
 fn symbol(one: &Symbol, places: &TextPlaces<'_>) -> DocumentSymbol {
+    let children: Vec<_> = one.children.iter().map(|child| symbol(child, places)).collect();
     #[expect(deprecated, reason = "a field that must be given")]
     DocumentSymbol {
         name: if one.name.is_empty() { "test".to_owned() } else { one.name.clone() },
@@ -329,6 +330,6 @@ fn symbol(one: &Symbol, places: &TextPlaces<'_>) -> DocumentSymbol {
         deprecated: None,
         range: places.range(&one.whole),
         selection_range: places.range(&one.place),
-        children: Some(one.children.iter().map(|child| symbol(child, places)).collect()),
+        children: (!children.is_empty()).then_some(children),
     }
 }

@@ -2,13 +2,14 @@
 
 use std::{collections::BTreeMap, path::PathBuf, sync::Arc, time::Instant};
 
-use lsp_server::{Connection, ErrorCode, Notification, Request, RequestId, Response};
+use crossbeam_channel::Receiver;
+use lsp_server::{ErrorCode, Message, Notification, Request, RequestId, Response};
 use serde::Serialize;
 use serde_json::Value as Json;
 
 use super::{
     SessionMaker, capabilities::Client, closer_look::CloserLooks, documents::OpenDocument,
-    paths::OverlaidFiles, viewer::StartedViewer, worker::EvaluationQueue,
+    paths::OverlaidFiles, transport::Outgoing, viewer::StartedViewer, worker::EvaluationQueue,
 };
 use crate::{limits::work::StopToken, session::Session};
 
@@ -18,6 +19,9 @@ pub(super) struct RequestError(pub(super) ErrorCode, pub(super) String);
 
 /// The answer to a request.
 pub(super) type RequestResult = Result<Json, RequestError>;
+
+/// The same as it is written.
+pub(super) type WrittenResult = Result<String, RequestError>;
 
 /// A request that waits for the values of a document.
 pub(super) struct WaitingRequest {
@@ -30,7 +34,8 @@ pub(super) struct WaitingRequest {
 
 /// What the server knows.
 pub(super) struct Server<'a> {
-    pub(super) connection: &'a Connection,
+    pub(super) receiver: &'a Receiver<Message>,
+    tell: &'a dyn Fn(Outgoing),
     pub(super) queue: &'a EvaluationQueue,
     pub(super) client: Client,
     /// For questions.
@@ -53,14 +58,16 @@ pub(super) struct Server<'a> {
 
 impl<'a> Server<'a> {
     pub(super) fn new(
-        connection: &'a Connection,
+        receiver: &'a Receiver<Message>,
+        tell: &'a dyn Fn(Outgoing),
         queue: &'a EvaluationQueue,
         session: SessionMaker<'_>,
         client: Client,
     ) -> Self {
         let stop = StopToken::default();
         Self {
-            connection,
+            receiver,
+            tell,
             queue,
             client,
             session: session(stop.clone()),
@@ -77,22 +84,22 @@ impl<'a> Server<'a> {
 
     pub(super) fn notify(&self, method: &str, params: impl Serialize) {
         let told = Notification::new(method.to_owned(), params);
-        // Where the client is gone the loop ends.
-        let _ = self.connection.sender.send(told.into());
+        (self.tell)(Outgoing::Message(told.into()));
     }
 
     pub(super) fn ask(&mut self, method: &str, params: impl Serialize) {
         self.next_id += 1;
         let request = Request::new(RequestId::from(self.next_id), method.to_owned(), params);
-        let _ = self.connection.sender.send(request.into());
+        (self.tell)(Outgoing::Message(request.into()));
     }
 
-    pub(super) fn reply(&self, id: RequestId, answer: RequestResult) {
-        let response = match answer {
-            Ok(result) => Response::new_ok(id, result),
-            Err(RequestError(code, message)) => Response::new_err(id, code as i32, message),
-        };
-        let _ = self.connection.sender.send(response.into());
+    pub(super) fn reply(&self, id: RequestId, answer: WrittenResult) {
+        (self.tell)(match answer {
+            Ok(result) => Outgoing::Answer(id, result),
+            Err(RequestError(code, message)) => {
+                Outgoing::Message(Response::new_err(id, code as i32, message).into())
+            }
+        });
     }
 
     /// The texts of all open documents.

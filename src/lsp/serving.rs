@@ -28,12 +28,12 @@ impl Server<'_> {
     pub(super) fn run(&mut self, finished: &Receiver<Evaluated>) -> Result<(), ProtocolError> {
         self.watch_files();
         loop {
-            if self.connection.receiver.is_empty() {
+            if self.receiver.is_empty() {
                 self.evaluate_dirty();
             }
             let early = self.next_early();
             select! {
-                recv(self.connection.receiver) -> message => match message {
+                recv(self.receiver) -> message => match message {
                     Ok(Message::Request(request)) => self.request(request),
                     Ok(Message::Notification(told)) if told.method == "exit" => return Ok(()),
                     Ok(Message::Notification(told)) => self.notification(told),
@@ -105,7 +105,7 @@ impl Server<'_> {
     fn request(&mut self, request: Request) {
         if request.method == "shutdown" {
             self.is_shut = true;
-            return self.reply(request.id, Ok(Json::Null));
+            return self.reply(request.id, Ok(Json::Null.to_string()));
         }
         if self.is_shut {
             let refusal =

@@ -5,22 +5,57 @@ use std::{
     thread::{self, JoinHandle},
 };
 
-use crossbeam_channel::{bounded, unbounded};
-use lsp_server::{Connection, Message};
+use crossbeam_channel::{Sender, bounded, unbounded};
+use lsp_server::{Connection, Message, RequestId, Response};
 
 /// The longest message that is read.
 const MOST_BYTES: usize = 1 << 28;
 
-/// A connection over two streams, and the thread that writes to the second; it ends when the connection
-/// is dropped.
+/// What is told to a client.
+pub(super) enum Outgoing {
+    Message(Message),
+    /// The result of a request as JSON. Of a large document it may be large, and as a tree of values thirty times as large.
+    Answer(RequestId, String),
+}
+
+impl Outgoing {
+    /// The same as the crate of the protocol has it.
+    pub(super) fn message(self) -> Message {
+        match self {
+            Self::Message(message) => message,
+            Self::Answer(id, result) => {
+                let result: serde_json::Value = serde_json::from_str(&result).unwrap_or_default();
+                Response::new_ok(id, result).into()
+            }
+        }
+    }
+
+    fn write(self, output: &mut impl Write) -> io::Result<()> {
+        match self {
+            Self::Message(message) => message.write(output),
+            Self::Answer(id, result) => {
+                let id = serde_json::to_string(&id)?;
+                let head = format!("{{\"jsonrpc\":\"2.0\",\"id\":{id},\"result\":");
+                let length = head.len() + result.len() + 1;
+                write!(output, "Content-Length: {length}\r\n\r\n{head}{result}}}")?;
+                output.flush()
+            }
+        }
+    }
+}
+
+/// A connection over two streams for the greeting, where to put what is told behind that, and the thread that writes to the
+/// second stream; it ends when both are dropped.
 pub(super) fn connect(
     mut input: impl BufRead + Send + 'static,
     mut output: impl Write + Send + 'static,
-) -> (Connection, JoinHandle<io::Result<()>>) {
-    let (sender, outgoing) = unbounded::<Message>();
+) -> (Connection, Sender<Outgoing>, JoinHandle<io::Result<()>>) {
+    let (sender, greeting) = unbounded::<Message>();
+    let (told, outgoing) = unbounded::<Outgoing>();
     let (incoming, receiver) = bounded(0);
     let writer = thread::spawn(move || {
-        outgoing.into_iter().try_for_each(|message| message.write(&mut output))
+        greeting.into_iter().try_for_each(|message| message.write(&mut output))?;
+        outgoing.into_iter().try_for_each(|told| told.write(&mut output))
     });
     // It waits for input until the process ends.
     thread::spawn(move || {
@@ -32,7 +67,7 @@ pub(super) fn connect(
             }
         }
     });
-    (Connection { sender, receiver }, writer)
+    (Connection { sender, receiver }, told, writer)
 }
 
 /// The body of the next message; none at the end.
@@ -98,13 +133,22 @@ fn mended(json: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{mended, read};
+    use super::{Outgoing, mended, read};
 
     #[test]
     fn lone_halves_are_replaced_and_pairs_are_kept() {
         assert_eq!(mended(r#""\ud83e""#), "\"\u{fffd}\"");
         assert_eq!(mended(r#""\ud83e\uddd0 \udc00x""#), "\"\\ud83e\\uddd0 \u{fffd}x\"");
         assert_eq!(mended(r#""\\ud83e \n ü""#), r#""\\ud83e \n ü""#);
+    }
+
+    #[test]
+    fn an_answer_is_the_message_of_its_result() {
+        let told = || Outgoing::Answer("ü".to_owned().into(), r#"[{"a":1.5}]"#.to_owned());
+        let [mut own, mut theirs] = [Vec::new(), Vec::new()];
+        told().write(&mut own).unwrap();
+        told().message().write(&mut theirs).unwrap();
+        assert_eq!(String::from_utf8(own).unwrap(), String::from_utf8(theirs).unwrap());
     }
 
     #[test]

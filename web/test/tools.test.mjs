@@ -15,6 +15,7 @@ curve ring = circle((10, 0, 0), 10, normal = (0, 1, 0))
 curve stem = line((-20, 0, 1/3), (-20, 0, 10))
 surface plate = bilinear((-15, 0, -18), (-15, 0, -8), (15, 0, -18), (15, 0, -8))
 mesh tile = tessellate(bilinear((-18, 0, 2), (-18, 0, 18), (-2, 0, 2), (-2, 0, 18)))
+curves comb = [for i in 0..1000: line((2 + i / 100, 0, 14), (2 + i / 100, 0, 18))]
 `;
 
 let served;
@@ -64,6 +65,14 @@ run("a click near an end, a corner or a vertex is answered there, and not beside
   assert.match(await page.$eval(".place", (facts) => facts.textContent), /Snapped toend/);
   assert.deepEqual(await clickBeside([15, 0, -8], -5), ["corner", [15, 0, -8]]);
   assert.deepEqual(await clickBeside([-18, 0, 18], 5, 5), ["vertex", [-18, 0, 18]]);
+  // Beside the mesh, too.
+  assert.deepEqual(await clickBeside([-18, 0, 18], -5, -5), ["vertex", [-18, 0, 18]]);
+  // The curves of a long list have ends, of which the kernel is not asked.
+  const [ex, ey] = await pixel([2, 0, 18]);
+  await page.mouse.click(ex - 4, ey - 3);
+  await until(page, () => window.virote.hit?.path === "comb");
+  const { snapped, point, parameters } = await hit();
+  assert.deepEqual([snapped, point.map((value) => Math.round(1e4 * value) / 1e4), parameters], ["end", [2, 0, 18], null]);
   // The distance of two ends is exact.
   await page.keyboard.press("m");
   await clickBeside([-20, 0, 1 / 3]);

@@ -9,11 +9,13 @@ use crate::kernel::{Curve, Face, NurbsCurve, Surface};
 
 /// Places of one item; of an item with more knots there are its ends or corners alone.
 const MOST_SNAPS: usize = 1024;
+/// Ends of the curves of a list that is one item; a longer list has none. Each is looked at when the pointer moves.
+const MOST_LIST_ENDS: usize = 1 << 15;
 
 /// Such places, ends before knots.
 #[derive(Default)]
 struct SnapPlaces {
-    /// t of a curve; u and v of a surface.
+    /// t of a curve; u and v of a surface; none of the curves of a list.
     parameters: Vec<Vec<f64>>,
     points: Vec<DVec3>,
     n_ends: usize,
@@ -38,6 +40,21 @@ impl SnapPlaces {
         Self::together(ends.map(|t| [t]).into(), knots.into_iter().map(|t| [t]).collect(), |[t]| {
             curve.point_at(t).ok()
         })
+    }
+
+    /// The ends of the curves of a list. Their parameters would not tell which curve they are of.
+    fn of_curves(curves: &[Curve]) -> Self {
+        let mut places = Self::default();
+        if 2 * curves.len() <= MOST_LIST_ENDS {
+            for curve in curves {
+                let domain = curve.domain();
+                for t in [domain.start(), domain.end()] {
+                    places.add(Vec::new(), curve.point_at(t).ok());
+                }
+            }
+        }
+        places.n_ends = places.points.len();
+        places
     }
 
     fn of_surface(surface: &Surface) -> Self {
@@ -93,6 +110,7 @@ impl EncodingItem {
     pub(super) fn add_snaps(&mut self, shape: &Shape) {
         let places = match shape {
             Shape::Curve(curve) => SnapPlaces::of_curve(curve),
+            Shape::Curves(curves) => SnapPlaces::of_curves(curves),
             Shape::Surface(surface) => SnapPlaces::of_surface(surface),
             Shape::Face(face) => SnapPlaces::of_face(face),
             // What has no parameters has vertices, which are there already.

@@ -1,8 +1,9 @@
-// The borders of stripes as the kernel has them: asked of the door for each visible surface when the camera rests, kept by their questions.
+// The borders of stripes as the kernel has them: asked of the door for each visible surface when the camera rests.
 
-import type { Item, Stripes } from "../door/door";
+import type { Stripes } from "../door/door";
 import { Signal } from "../signal";
 import type { Document } from "./document";
+import { ItemQuestions } from "./itemQuestions";
 import type { SettingsSignal } from "./settings";
 
 /** Answers that are kept. */
@@ -22,10 +23,7 @@ export interface ExactLines {
 const NOTHING: ExactLines = { lines: new Map(), isWaiting: false, without: [], trouble: null };
 
 export class ExactStripes extends Signal<ExactLines> {
-  private readonly kept = new Map<string, Float32Array>();
-  private asked = "";
-  private run = 0;
-  private timer = 0;
+  private readonly questions = new ItemQuestions<Float32Array>(REST, N_KEPT);
 
   /** `seen` tells how the stripes lie for the present camera. */
   constructor(
@@ -44,52 +42,16 @@ export class ExactStripes extends Signal<ExactLines> {
 
   /** Asks anew where something changed since the last question. */
   renew(): void {
-    if (!this.isWanted) {
-      if (this.asked === "") return;
-      this.asked = "";
-      clearTimeout(this.timer);
-      this.run++;
-      return this.set(NOTHING);
-    }
+    if (!this.isWanted) return void (this.questions.turnTo("") && this.set(NOTHING));
+    const { doc } = this;
     const stripes = this.seen();
-    const items = this.doc.items().filter((item) => this.doc.isVisible(item) && (item.kind === "surface" || item.kind === "mesh"));
-    const asked = JSON.stringify([stripes, items.map((item) => item.key)]);
-    if (asked === this.asked) return;
-    this.asked = asked;
-    clearTimeout(this.timer);
-    const run = ++this.run;
+    const seen = doc.items().filter((item) => doc.isVisible(item) && (item.kind === "surface" || item.kind === "mesh"));
+    if (!this.questions.turnTo(JSON.stringify([stripes, seen.map((item) => item.key)]))) return;
     if (!this.value.isWaiting || this.value.lines.size > 0) this.set({ ...NOTHING, isWaiting: true });
-    this.timer = setTimeout(() => void this.ask(run, items, stripes), REST) as unknown as number;
-  }
-
-  private async ask(run: number, items: Item[], stripes: Stripes): Promise<void> {
-    const lines = new Map<string, Float32Array>();
-    const without: string[] = [];
-    let trouble: string | null = null;
-    for (const { key, kind, path } of items) {
-      if (kind === "mesh") {
-        without.push(path);
-        continue;
-      }
-      try {
-        lines.set(key, await this.of(key, stripes));
-      } catch (refusal) {
-        trouble = `${path}: ${refusal instanceof Error ? refusal.message : String(refusal)}`;
-      }
-      if (run !== this.run) return;
-    }
-    this.set({ lines, isWaiting: false, without, trouble });
-  }
-
-  private async of(key: string, stripes: Stripes): Promise<Float32Array> {
-    const name = `${key} ${JSON.stringify(stripes)}`;
-    let found = this.kept.get(name);
-    if (!found) {
-      found = await this.doc.door.stripes(key, stripes);
-      this.kept.set(name, found);
-      const [oldest] = this.kept.keys();
-      if (this.kept.size > N_KEPT) this.kept.delete(oldest);
-    }
-    return found;
+    const without = seen.filter((item) => item.kind === "mesh").map((item) => item.path);
+    const surfaces = seen.filter((item) => item.kind === "surface");
+    this.questions.ask(surfaces, JSON.stringify(stripes), (key) => doc.door.stripes(key, stripes), (lines, troubles) => {
+      this.set({ lines, isWaiting: false, without, trouble: troubles.at(-1) ?? null });
+    });
   }
 }

@@ -1,12 +1,12 @@
 // One item in the picture: its surface, its lines, and the overlays that are switched on.
 
-import { type BufferGeometry, Group, Mesh, Points, type ShaderMaterial } from "three";
+import { type BufferGeometry, Group, LineSegments, Mesh, Points, type ShaderMaterial } from "three";
 
 import type { Item } from "../door/door";
 import type { Isocurves } from "../model/isocurves";
 import type { Settings } from "../model/settings";
-import { dotMaterial, lineMaterial, setOpacity, surfaceMaterial } from "./paint";
-import { endsOf, segmentGeometry } from "./segments";
+import { dotMaterial, type HairMaterial, hairMaterial, lineMaterial, setOpacity, surfaceMaterial } from "./paint";
+import { endsOf, hairGeometry, isWide } from "./segments";
 import type { Shape } from "./shape";
 import { colorOf, type Palette, raw } from "./theme";
 
@@ -21,31 +21,32 @@ const CURVE_LINE = 2.25;
 export class Overlays {
   readonly edge = lineMaterial(colorless(), SURFACE_LINE, 0.9);
   readonly edgeSelected = lineMaterial(colorless(), 2.5, 1, 0.0002);
-  readonly isocurve = lineMaterial(colorless(), 1, 0.32);
-  readonly wires = lineMaterial(colorless(), 1, 0.55);
+  readonly isocurve = hairMaterial(colorless(), 0.32);
+  readonly wires = hairMaterial(colorless(), 0.55);
   readonly net = lineMaterial(colorless(), 1.25, 0.85, 0.0004);
   readonly netDots = dotMaterial(colorless(), 8, 0.0005);
   readonly knots = lineMaterial(colorless(), 1.75, 1, 0.0003);
   readonly knotDots = dotMaterial(colorless(), 9, 0.0005);
   readonly normals = lineMaterial(colorless(), 1.25, 0.8);
-  readonly comb = lineMaterial(colorless(), 1, 0.8, 0.0002);
+  readonly comb = hairMaterial(colorless(), 0.8, 0.0002);
   /** Curves and points of the script: each puts its colour onto them when it is drawn. */
   readonly ownLine = lineMaterial(colorless(), CURVE_LINE, 1, 0.00015);
   readonly ownDots = dotMaterial(colorless(), 7);
   readonly ghostLine = lineMaterial(colorless(), 1.25, 0.55);
 
   paint(palette: Palette): void {
+    // The two of hair share their uniforms.
     const colors: [ShaderMaterial, Palette["ink"]][] = [
       [this.edge, palette.edge],
       [this.edgeSelected, palette.accent],
-      [this.isocurve, palette.isocurve],
-      [this.wires, palette.edge],
+      [this.isocurve.wide, palette.isocurve],
+      [this.wires.wide, palette.edge],
       [this.net, palette.net],
       [this.netDots, palette.net],
       [this.knots, palette.knot],
       [this.knotDots, palette.knot],
       [this.normals, palette.normal],
-      [this.comb, palette.comb],
+      [this.comb.wide, palette.comb],
       [this.ghostLine, palette.ghost],
     ];
     for (const [material, color] of colors) material.uniforms.color.value = color;
@@ -82,7 +83,7 @@ export class DrawnItem {
   private readonly ownLine: ShaderMaterial | null;
   private ownColor = colorless();
   private ownWidth = CURVE_LINE;
-  private readonly layers = new Map<Layer, Mesh | Points>();
+  private readonly layers = new Map<Layer, Mesh | LineSegments | Points>();
   private combOf = "";
   private isocurvesOf: Isocurves | null = null;
   private normalsOf = 0;
@@ -174,8 +175,8 @@ export class DrawnItem {
       this.drop("comb");
       this.isocurvesOf = look.isocurves;
     }
-    this.layer("isocurves", settings.isocurves, () => line(chosen(look.isocurves) ?? shape.part("isocurves"), overlays.isocurve, 1));
-    this.layer("wires", settings.wireframe, () => line(shape.part("wires"), overlays.wires, 1));
+    this.layer("isocurves", settings.isocurves, () => hair(chosen(look.isocurves) ?? shape.part("isocurves"), overlays.isocurve, 1));
+    this.layer("wires", settings.wireframe, () => hair(shape.part("wires"), overlays.wires, 1));
     this.layer("net", settings.control, () => line(shape.part("net"), overlays.net, 4));
     this.layer("netDots", settings.control, () => dots(shape.controlPoints(), overlays.netDots, 5));
     this.layer("knots", settings.knots, () => line(shape.part("knots"), overlays.knots, 3));
@@ -199,7 +200,7 @@ export class DrawnItem {
     if (look.isCombed && this.combOf !== combOf) this.drop("comb");
     this.layer("comb", look.isCombed, () => {
       this.combOf = combOf;
-      return line(this.shape.comb(look.isocurves ?? this.shape.buffers, look.combLength, settings.combStride), this.overlays.comb, 3);
+      return hair(this.shape.comb(look.isocurves ?? this.shape.buffers, look.combLength, settings.combStride), this.overlays.comb, 3);
     });
     if (settings.normals && this.normalsOf !== look.normalLength) this.drop("normals");
     this.layer("normals", settings.normals, () => {
@@ -208,7 +209,7 @@ export class DrawnItem {
     });
   }
 
-  private layer(name: Layer, isOn: boolean, make: () => Mesh | Points | null): void {
+  private layer(name: Layer, isOn: boolean, make: () => Mesh | LineSegments | Points | null): void {
     let made = this.layers.get(name);
     if (!made && isOn) {
       made = make() ?? new Mesh();
@@ -261,12 +262,19 @@ export function ghostOf(item: Item, shape: Shape, palette: Palette, overlays: Ov
 /** Lines that were asked for; null where none were. */
 function chosen(isocurves: Isocurves | null): BufferGeometry | null {
   const ends = isocurves ? endsOf(isocurves.isocurves) : null;
-  return ends && ends.length > 0 ? segmentGeometry(ends) : null;
+  return ends && ends.length > 0 ? hairGeometry(ends) : null;
 }
 
 function line(geometry: BufferGeometry | null, material: ShaderMaterial, order: number): Mesh | null {
   if (!geometry) return null;
   const made = new Mesh(geometry, material);
+  made.renderOrder = order;
+  return made;
+}
+
+function hair(geometry: BufferGeometry | null, { wide, thin }: HairMaterial, order: number): Mesh | LineSegments | null {
+  if (!geometry || isWide(geometry)) return line(geometry, wide, order);
+  const made = new LineSegments(geometry, thin);
   made.renderOrder = order;
   return made;
 }

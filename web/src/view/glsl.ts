@@ -259,6 +259,28 @@ void main() {
   #include <clipping_planes_vertex>
 }`;
 
+// Lines a pixel wide, as the renderer has them.
+export const HAIR_VERTEX = /* glsl */ `
+#include <clipping_planes_pars_vertex>
+uniform float lift;
+void main() {
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * mvPosition;
+  gl_Position.z -= lift * gl_Position.w;
+  #include <clipping_planes_vertex>
+}`;
+
+export const HAIR_FRAGMENT = /* glsl */ `
+#include <clipping_planes_pars_fragment>
+uniform vec3 color;
+uniform float opacity;
+uniform float fade;
+uniform vec3 faded;
+void main() {
+  #include <clipping_planes_fragment>
+  gl_FragColor = vec4(mix(color, faded, fade * 0.6), opacity);
+}`;
+
 export const LINE_FRAGMENT = /* glsl */ `
 #include <clipping_planes_pars_fragment>
 uniform vec3 color;

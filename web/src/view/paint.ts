@@ -2,7 +2,7 @@
 
 import { Color, DoubleSide, Plane, ShaderMaterial, Vector2, Vector3 } from "three";
 
-import { DOT_FRAGMENT, DOT_VERTEX, LINE_FRAGMENT, LINE_VERTEX, MODES, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./glsl";
+import { DOT_FRAGMENT, DOT_VERTEX, HAIR_FRAGMENT, HAIR_VERTEX, LINE_FRAGMENT, LINE_VERTEX, MODES, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./glsl";
 
 /** Uniforms that every material reads; changing a value here changes the whole picture. */
 export const shared = {
@@ -108,6 +108,19 @@ export function wholeLineMaterial(color: Color, width: number, opacity = 1, lift
     transparent: true,
     depthWrite: false,
   });
+}
+
+/** Lines a pixel wide, for geometries of both kinds: those that the shader makes wide, and those that the renderer draws. */
+export interface HairMaterial {
+  wide: ShaderMaterial;
+  thin: ShaderMaterial;
+}
+
+export function hairMaterial(color: Color, opacity: number, lift?: number): HairMaterial {
+  const wide = lineMaterial(color, 1, opacity, lift);
+  const { uniforms } = wide;
+  const thin = new ShaderMaterial({ uniforms, vertexShader: HAIR_VERTEX, fragmentShader: HAIR_FRAGMENT, transparent: true, depthWrite: false });
+  return { wide, thin: clip(thin) };
 }
 
 export function dotMaterial(color: Color, size: number, lift = 0.0003): ShaderMaterial {

@@ -5,6 +5,7 @@
 import { type Camera, LinearSRGBColorSpace, type Scene, WebGLRenderer, WebGLRenderTarget } from "three";
 
 import { shared } from "./paint";
+import { writeOutCorners } from "./segments";
 
 /** Places of each pixel at which a smooth frame is drawn. */
 const SAMPLES = 4;
@@ -65,7 +66,9 @@ export class Painter {
       this.n_losses++;
     });
     const names = this.gl.getExtension("WEBGL_debug_renderer_info");
-    this.isSlow = SOFTWARE.test(String(this.gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER)));
+    const isSoftware = SOFTWARE.test(String(this.gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER)));
+    this.isSlow = isSoftware;
+    writeOutCorners(isSoftware);
     this.share = this.isSlow ? COARSE : 1;
   }
 

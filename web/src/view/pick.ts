@@ -11,14 +11,34 @@ import type { Rig } from "./rig";
 /** Pixels within which a line is meant. */
 const REACH = 7;
 
-interface Candidate {
+/** A place of an item that may be meant. */
+export interface Place {
   drawn: DrawnItem;
-  distance: number;
   point: Vector3;
-  normal: Vector3 | null;
+  normal?: Vector3 | null;
   parameters: Hit["parameters"];
-  triangle: number | null;
+  triangle?: number | null;
+  /** The number of one of several points. */
   index?: number | null;
+}
+
+interface Candidate extends Place {
+  distance: number;
+}
+
+/** What a click at a place tells before the kernel is asked. */
+export function hitAt({ drawn: { item }, point, normal, parameters, triangle, index }: Place): Hit {
+  return {
+    path: item.path,
+    item,
+    point: point.toArray() as Vector,
+    normal: (normal?.toArray() as Vector | undefined) ?? null,
+    parameters,
+    triangle: triangle ?? null,
+    index: index ?? null,
+    answer: null,
+    trouble: null,
+  };
 }
 
 /** The item under the pixel (x, y); `planes` cut away what lies behind them, and what is closed is filled there. */
@@ -39,19 +59,7 @@ export function pick(drawn: Iterable<DrawnItem>, rig: Rig, x: number, y: number,
       best = found;
     }
   }
-  if (!best) return null;
-  const { item } = best.drawn;
-  return {
-    path: item.path,
-    item,
-    point: best.point.toArray() as Vector,
-    normal: (best.normal?.toArray() as Vector | undefined) ?? null,
-    parameters: best.parameters,
-    triangle: best.triangle,
-    index: best.index ?? null,
-    answer: null,
-    trouble: null,
-  };
+  return best && hitAt(best);
 }
 
 /** Where the ray comes to a filled cut. */
@@ -60,7 +68,7 @@ function hitCap(caps: SectionCaps, ray: Ray, plane: Plane): Candidate | null {
   const drawn = point && caps.at(point, plane);
   if (!drawn) return null;
   const normal = plane.normal.clone().negate();
-  return { drawn, distance: point.distanceTo(ray.origin), point, normal, parameters: null, triangle: null };
+  return { drawn, distance: point.distanceTo(ray.origin), point, normal, parameters: null };
 }
 
 function hitSurface(drawn: DrawnItem, ray: Ray, planes: Plane[]): Candidate | null {
@@ -154,9 +162,7 @@ function hitLines(drawn: DrawnItem, ray: Ray, rig: Rig, x: number, y: number, pl
         drawn,
         distance: point.distanceTo(ray.origin),
         point,
-        normal: null,
         parameters: t && Number.isFinite(t[i]) ? { t: t[i] * (1 - share) + (t[i + 1] ?? t[i]) * share } : null,
-        triangle: null,
         index: which < n_lines ? null : which - n_lines,
       };
     }

@@ -1,28 +1,81 @@
-// Lines as instances of one quadrilateral: each segment has a start and an end, and the shader makes it wide.
+// Lines as quadrilaterals: each segment has a start and an end, and the shader makes it wide.
+//
+// Instances of one quadrilateral take 24 bytes a segment. A renderer without a graphics processor draws each of them as if it
+// were a geometry of its own, some ten times as slowly; there all corners are written out, and fine lines are the renderer's.
 
 import {
   BufferAttribute,
+  BufferGeometry,
   InstancedBufferGeometry,
   InstancedInterleavedBuffer,
+  InterleavedBuffer,
   InterleavedBufferAttribute,
   Sphere,
   Vector3,
 } from "three";
 
-const CORNERS = new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0]), 3);
-const INDEX = new BufferAttribute(new Uint16Array([0, 1, 2, 0, 2, 3]), 1);
+/** How far along and across the segment each corner lies. */
+const CORNERS = [0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0];
+const SIDES = [0, 1, 2, 0, 2, 3];
+const CORNER = new BufferAttribute(new Float32Array(CORNERS), 3);
+const INDEX = new BufferAttribute(new Uint16Array(SIDES), 1);
+
+let isWrittenOut = false;
+
+/** Whether geometries that are made from now on hold all their corners. */
+export function writeOutCorners(wanted: boolean): void {
+  isWrittenOut = wanted;
+}
 
 /** A geometry of segments whose ends stand in pairs: six numbers a segment. */
-export function segmentGeometry(ends: Float32Array): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setIndex(INDEX);
-  geometry.setAttribute("position", CORNERS);
-  const buffer = new InstancedInterleavedBuffer(ends, 6, 1);
-  geometry.setAttribute("start", new InterleavedBufferAttribute(buffer, 3, 0));
-  geometry.setAttribute("end", new InterleavedBufferAttribute(buffer, 3, 3));
-  geometry.instanceCount = ends.length / 6;
+export function segmentGeometry(ends: Float32Array): BufferGeometry {
+  const geometry = isWrittenOut ? writtenOut(ends) : instances(ends);
   geometry.boundingSphere = sphereOf(ends);
   return geometry;
+}
+
+/** The same of lines a pixel wide, which a renderer without a graphics processor draws as its own: they may be very many. */
+export function hairGeometry(ends: Float32Array): BufferGeometry {
+  if (!isWrittenOut) return segmentGeometry(ends);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(ends, 3));
+  geometry.boundingSphere = sphereOf(ends);
+  return geometry;
+}
+
+/** Whether the shader makes the lines of a geometry wide. */
+export const isWide = (geometry: BufferGeometry): boolean => geometry.hasAttribute("start");
+
+function instances(ends: Float32Array): BufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  geometry.setIndex(INDEX);
+  geometry.setAttribute("position", CORNER);
+  setEnds(geometry, new InstancedInterleavedBuffer(ends, 6, 1));
+  geometry.instanceCount = ends.length / 6;
+  return geometry;
+}
+
+function writtenOut(ends: Float32Array): BufferGeometry {
+  const geometry = new BufferGeometry();
+  const n_segments = ends.length / 6;
+  const corners = new Int8Array(12 * n_segments);
+  const fourfold = new Float32Array(24 * n_segments);
+  const sides = new Uint32Array(6 * n_segments);
+  for (let i = 0; i < n_segments; i++) {
+    corners.set(CORNERS, 12 * i);
+    const segment = ends.subarray(6 * i, 6 * i + 6);
+    for (let k = 0; k < 4; k++) fourfold.set(segment, 24 * i + 6 * k);
+    for (let k = 0; k < 6; k++) sides[6 * i + k] = 4 * i + SIDES[k];
+  }
+  geometry.setIndex(new BufferAttribute(sides, 1));
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  setEnds(geometry, new InterleavedBuffer(fourfold, 6));
+  return geometry;
+}
+
+function setEnds(geometry: BufferGeometry, buffer: InterleavedBuffer): void {
+  geometry.setAttribute("start", new InterleavedBufferAttribute(buffer, 3, 0));
+  geometry.setAttribute("end", new InterleavedBufferAttribute(buffer, 3, 3));
 }
 
 /** The ends of the segments of these polylines. */

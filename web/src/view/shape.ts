@@ -1,6 +1,6 @@
 // Geometry for the graphics processor of one item, made from its buffers when it is first wanted.
 
-import { BufferAttribute, BufferGeometry, type InstancedBufferGeometry } from "three";
+import { BufferAttribute, BufferGeometry } from "three";
 import { MeshBVH } from "three-mesh-bvh";
 
 import type { Buffers } from "../model/bytes";
@@ -8,7 +8,7 @@ import type { Isocurves } from "../model/isocurves";
 import { combEnds, isocombEnds } from "./combs";
 import { creaseEnds } from "./creases";
 import { knotLines, knotPoints } from "./knots";
-import { endsOf, segmentGeometry, sphereOf } from "./segments";
+import { endsOf, hairGeometry, segmentGeometry, sphereOf } from "./segments";
 
 /** About as many normals as are drawn of one surface. */
 const N_NORMALS = 500;
@@ -17,7 +17,7 @@ type Part = "edges" | "isocurves" | "net" | "knots" | "wires";
 
 export class Shape {
   private surfaceMade: BufferGeometry | null | undefined;
-  private readonly lines = new Map<Part, InstancedBufferGeometry | null>();
+  private readonly lines = new Map<Part, BufferGeometry | null>();
   private bvhMade: MeshBVH | null | undefined;
 
   constructor(readonly buffers: Buffers) {}
@@ -29,11 +29,12 @@ export class Shape {
   }
 
   /** Segments of one kind, or null where the item has none. */
-  part(part: Part): InstancedBufferGeometry | null {
+  part(part: Part): BufferGeometry | null {
     let made = this.lines.get(part);
     if (made === undefined) {
       const ends = this.ends(part);
-      made = ends.length > 0 ? segmentGeometry(ends) : null;
+      const isHair = part === "isocurves" || part === "wires";
+      made = ends.length > 0 ? (isHair ? hairGeometry : segmentGeometry)(ends) : null;
       this.lines.set(part, made);
     }
     return made;
@@ -65,15 +66,15 @@ export class Shape {
   }
 
   /** Teeth and outline of the comb of a curve, or of these isocurves; `scale` makes a length of a curvature. */
-  comb(isocurves: Isocurves, scale: number, stride: number): InstancedBufferGeometry | null {
+  comb(isocurves: Isocurves, scale: number, stride: number): BufferGeometry | null {
     const ends = this.buffers.comb
       ? combEnds(this.buffers.edges[0], this.buffers.comb, scale, stride)
       : isocombEnds(isocurves, scale, stride);
-    return ends.length > 0 ? segmentGeometry(ends) : null;
+    return ends.length > 0 ? hairGeometry(ends) : null;
   }
 
   /** Normals of that length at vertices spread over the surface. */
-  normals(length: number): InstancedBufferGeometry | null {
+  normals(length: number): BufferGeometry | null {
     const { positions, normals } = this.buffers;
     if (!positions || !normals) return null;
     const n_vertices = positions.length / 3;

@@ -13,7 +13,7 @@ const root = resolve(import.meta.dirname, "../../..");
 const wasm = process.env.WASM ?? join(root, "target/wasm32-unknown-unknown/page/virote_wasm.wasm");
 const command = resolve(process.env.VIROTE ?? join(root, "target/release/virote"));
 /** The ceilings of `Limits::WEB` that the command's differ from. */
-const CEILINGS = ["nesting=128", "chain=250", "call-depth=64", "evaluation-depth=400", "value-depth=200"];
+const CEILINGS = ["nesting=128", "chain=250", "call-depth=160", "evaluation-depth=800", "value-depth=200"];
 /** Where a message begins. */
 const HEAD = /^\[[EW]\d{4}\] /;
 /** What the command alone says when it writes files: which meshes it turned, and how far places are rounded. */
