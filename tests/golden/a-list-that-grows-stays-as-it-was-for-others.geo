@@ -1,15 +1,15 @@
 // A list that grows in a function takes the memory of the one before, unless somebody else has that.
 let start = [for i in 0..<100: i]
-let points = [for i in 0..<100: (i, 0)]
+let places = [for i in 0..<100: (i, 0)]
 fn grown(list, x) = [...list, x]
 fn grown_twice(list, x) = [grown(list, x), grown(list, -x), list]
-fn kept(list, x) = { let before = [...list]  let f = () => list[-1]  [...list, x, f(), len(before)] }
+fn kept(list, x) = { let before = [...list]  let f = () => list[-1]; [...list, x, f(), len(before)] }
 fn mixed(list, x) = if x % 2 == 0 then [...list, x] else [...list, "{x}"]
 
 check len(start) == 100 and start[-1] == 99 "numbers"
 check len(grown(start, 7)) == 101 and len(start) == 100
 check [for list in grown_twice(start, 7): list[-1]] == [7, -7, 99]
-check [for list in grown_twice(points, (7, 1)): list[-1]] == [(7, 1), (-7, -1), (99, 0)] "points"
+check [for list in grown_twice(places, (7, 1)): list[-1]] == [(7, 1), (-7, -1), (99, 0)] "points"
 check [for x in kept(start, 5)[-3..-1]: x] == [5, 99, 100] "what a function inside holds"
 
 let all = fold(0..<500, [], (list, i) => [...list, i])

@@ -287,7 +287,7 @@ fn faces_cut_from_surfaces_of_degree_one_have_bounds() {
 #[test]
 fn what_is_nearest_is_found_at_once_where_all_of_the_surface_is_nearly_equally_far() {
     let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1e3).unwrap()), TOLERANCE);
-    let upper = sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z, TOLERANCE).unwrap();
+    let upper = sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z * 1e3, TOLERANCE).unwrap();
     let before = work::counted();
     for exponent in -9..3 {
         let off = 10.0_f64.powi(exponent);
@@ -310,8 +310,8 @@ fn what_is_nearest_of_a_cap_is_found_at_once_from_beside_its_rim() {
     let cap = Region::new(&upright, &[], TOLERANCE).unwrap();
     let cap = Face::of_region(&cap, TOLERANCE).unwrap().transformed(&turn).unwrap();
     let before = work::counted();
-    for angle in 0..16 {
-        let angle = 0.1 + f64::from(angle);
+    for angle in 0..2 {
+        let angle = 0.1 + 2.5 * f64::from(angle);
         let place = |radius: f64, z: f64| {
             turn.transform_point3(DVec3::new(radius * angle.cos(), radius * angle.sin(), z))
         };

@@ -89,11 +89,7 @@ pub(super) fn round_curve(curve: &NurbsCurve, precision: f64) -> Option<RoundCur
     }
     let first = axes.angle(frame.x());
     let [from, to] = if is_turned { [first - turn, first] } else { [first, first + turn] };
-    let whole = if from < 0.0 { TAU } else { 0.0 };
-    let angles = [from + whole, to + whole].map(|angle| {
-        let angle = angle.to_degrees();
-        if 360.0 < angle { angle - 360.0 } else { angle }
-    });
+    let angles = [from, to].map(|angle| angle.to_degrees().rem_euclid(360.0));
     Some(RoundCurve::Arc { axes, center, radius, angles })
 }
 
