@@ -186,6 +186,14 @@ const SHAPES: &[Shape] = &[
         ")",
     ),
     // Operations on lists.
+    ("a list that grows by `fold`", "let a = fold(1..@, [], (b, i) => [...b, i])\n", "", "", ""),
+    (
+        "a list of points that grows by `fold`",
+        "let a = fold(1..@, [], (b, i) => if i % 3 == 0 then b else { let p = (i, i)\n[...b, p, p] })\n",
+        "",
+        "",
+        "",
+    ),
     ("`unique` of numbers", "let a = unique([for i in 1..@: i])\n", "", "", ""),
     ("`unique` of lengths", "let a = unique([for i in 1..@: i * 1mm])\n", "", "", ""),
     ("`unique` of lists", "let a = unique([for i in 1..@: [i, 2]])\n", "", "", ""),

@@ -233,6 +233,7 @@ impl<'a> CacheKey<'a> {
             match element {
                 Element::Item(item) => self.all(0, std::slice::from_ref(item)),
                 Element::Spread(spread) => self.all(1, std::slice::from_ref(spread)),
+                Element::Grown { slot, .. } => self.place(2, *slot),
             }
         }
     }

@@ -84,8 +84,13 @@ impl Machine<'_> {
     }
 
     /// Calls with positional arguments that have no place of their own.
-    pub(super) fn apply(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
-        let positional = args.iter().map(|value| Spanned::new(value.clone(), span)).collect();
+    pub(super) fn apply(
+        &mut self,
+        function: &Value,
+        args: Vec<Value>,
+        span: Span,
+    ) -> Result<Value> {
+        let positional = args.into_iter().map(|value| Spanned::new(value, span)).collect();
         self.invoke(function, Call { span, positional, named: Vec::new() }, span)
     }
 

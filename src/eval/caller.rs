@@ -14,7 +14,7 @@ use crate::{
 };
 
 impl Caller for Machine<'_> {
-    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value> {
+    fn call(&mut self, function: &Value, args: Vec<Value>, span: Span) -> Result<Value> {
         self.apply(function, args, span)
     }
 

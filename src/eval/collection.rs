@@ -72,20 +72,58 @@ impl Machine<'_> {
 
     #[cfg_attr(target_family = "wasm", inline(never))]
     pub(super) fn list(&mut self, elements: &[Element], span: Span) -> Result<Value> {
+        if let Some((&Element::Grown { slot, span: place }, more)) = elements.split_first() {
+            return self.grown((slot, place), more, span);
+        }
+        Ok(Value::list(self.elements(elements, 0, span)?))
+    }
+
+    /// The values of elements behind so many others.
+    fn elements(&mut self, elements: &[Element], before: usize, span: Span) -> Result<Vec<Value>> {
         let mut items = Vec::with_capacity(elements.len());
         for element in elements {
-            match element {
-                Element::Item(expr) => items.push(self.eval(expr)?),
-                Element::Spread(expr) => {
-                    let value = self.eval(expr)?;
-                    let n_items = self.iterate(&value, expr.span)?.len();
-                    self.check_length(items.len() + n_items, span)?;
-                    self.check_memory(span)?;
-                    self.passes(n_items as u64, span)?;
-                    items.extend(self.iterate(&value, expr.span)?);
+            let (value, place) = match element {
+                Element::Item(expr) => {
+                    items.push(self.eval(expr)?);
+                    continue;
                 }
-            }
+                Element::Spread(expr) => (self.eval(expr)?, expr.span),
+                Element::Grown { slot, span } => (self.local(*slot), *span),
+            };
+            let n_items = self.iterate(&value, place)?.len();
+            self.check_length(before + items.len() + n_items, span)?;
+            self.check_memory(span)?;
+            self.passes(n_items as u64, span)?;
+            items.extend(self.iterate(&value, place)?);
         }
+        Ok(items)
+    }
+
+    /// A list that begins with the elements of a value of the frame, which nobody asks for afterwards: in the memory
+    /// of that, if nobody else has it.
+    fn grown(
+        &mut self,
+        (slot, place): (usize, Span),
+        more: &[Element],
+        span: Span,
+    ) -> Result<Value> {
+        let slot = self.base + slot;
+        let n_items = self.iterate(&self.stack[slot], place)?.len();
+        self.check_length(n_items, span)?;
+        self.check_memory(span)?;
+        let more = self.elements(more, n_items, span)?;
+        let mut value = std::mem::replace(&mut self.stack[slot], Value::None);
+        let more = match &mut value {
+            Value::List(list) => match list.append(more) {
+                Ok(()) => return Ok(value),
+                Err(more) => more,
+            },
+            _ => more,
+        };
+        self.passes(n_items as u64, span)?;
+        let mut items = Vec::with_capacity(n_items + more.len());
+        items.extend(self.iterate(&value, place)?);
+        items.extend(more);
         Ok(Value::list(items))
     }
 

@@ -83,6 +83,9 @@ impl Machine<'_> {
             ExprKind::List(elements) => elements.iter().try_for_each(|element| match element {
                 Element::Item(item) => self.compare(item, found),
                 Element::Spread(item) => self.compare(item, found),
+                Element::Grown { slot, span } => {
+                    self.compare(&Expr { kind: ExprKind::Local(*slot), span: *span }, found)
+                }
             }),
             ExprKind::Comprehension(each) => self.compare_each(each, 0, expr.span, found),
             _ => no_condition(expr),

@@ -82,6 +82,12 @@ pub(crate) struct ScriptFile {
 pub(crate) enum Element {
     Item(Expr),
     Spread(Expr),
+    /// The first element, a spread of a value of the frame, where nothing but the elements behind it is evaluated in
+    /// the frame from there on: the list may grow out of it.
+    Grown {
+        slot: usize,
+        span: Span,
+    },
 }
 
 /// A part of an interpolated string.

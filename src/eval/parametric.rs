@@ -112,7 +112,7 @@ impl GeometryFunction {
         };
         let mut machine = Machine::new(env, home);
         machine.set_meter(USED.get());
-        let result = machine.apply(&self.function, args, self.span);
+        let result = machine.apply(&self.function, args.to_vec(), self.span);
         USED.set(Meter { steps: machine.meter().steps, ..USED.get() });
         result
     }

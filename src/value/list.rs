@@ -47,7 +47,7 @@ pub struct List {
 
 #[derive(Clone, Debug)]
 enum ListItems {
-    Values(Arc<[Value]>),
+    Values(Arc<Vec<Value>>),
     NumberList(Arc<NumberList>),
 }
 
@@ -62,6 +62,11 @@ struct NumberList {
 impl NumberList {
     fn value(&self, value: f64) -> Value {
         Value::Number(Number { value, dim: self.dim })
+    }
+
+    /// Whether a value is a number of the dimension.
+    fn holds(&self, value: &Value) -> bool {
+        matches!(value, Value::Number(number) if number.dim == self.dim)
     }
 }
 
@@ -139,6 +144,38 @@ impl List {
         }
     }
 
+    /// Appends values where nobody else has this list and it is held as it would be then; else gives them back.
+    ///
+    /// # Errors
+    /// The values, where all would have to be copied.
+    pub(crate) fn append(&mut self, more: Vec<Value>) -> Result<(), Vec<Value>> {
+        let extent = ValueExtent::around(&more);
+        match &mut self.items {
+            ListItems::Values(values) if WORTH <= values.len() => match Arc::get_mut(values) {
+                Some(values) => values.extend(more),
+                None => return Err(more),
+            },
+            ListItems::NumberList(numbers) => match Arc::get_mut(numbers) {
+                Some(numbers) if more.iter().all(|value| numbers.holds(value)) => {
+                    numbers.spelled = OnceLock::new();
+                    let number = |value: &Value| match value {
+                        Value::Number(number) => Some(number.value),
+                        _ => None,
+                    };
+                    numbers.values.extend(more.iter().filter_map(number));
+                }
+                _ => return Err(more),
+            },
+            ListItems::Values(_) => return Err(more),
+        }
+        self.extent = ValueExtent {
+            depth: self.extent.depth.max(extent.depth),
+            size: self.extent.size.saturating_add(extent.size - 1),
+            holds_functions: self.extent.holds_functions || extent.holds_functions,
+        };
+        Ok(())
+    }
+
     /// Whether both are one list in memory, and so equal.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
@@ -163,10 +200,11 @@ impl Deref for List {
     }
 }
 
+/// Elements from which on numbers are held as such.
+const WORTH: usize = 64;
+
 /// The numbers, if all are such and of one dimension, and enough that it pays.
 fn all_numbers(items: &[Value]) -> Option<(Vec<f64>, Dimension)> {
-    /// Elements from which on numbers are held as such.
-    const WORTH: usize = 64;
     let Some(Value::Number(Number { dim, .. })) = items.first() else { return None };
     let number = |item: &Value| match item {
         Value::Number(number) if number.dim == *dim => Some(number.value),
@@ -183,14 +221,14 @@ impl From<Vec<Value>> for List {
         if let Some((values, dim)) = all_numbers(&items) {
             return Self::of_numbers(values, dim);
         }
-        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::from(items)) }
+        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::new(items)) }
     }
 }
 
 impl FromIterator<Value> for List {
     fn from_iter<I: IntoIterator<Item = Value>>(items: I) -> Self {
-        let items: Arc<[Value]> = items.into_iter().collect();
-        Self { extent: ValueExtent::around(items.iter()), items: ListItems::Values(items) }
+        let items: Vec<Value> = items.into_iter().collect();
+        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::new(items)) }
     }
 }
 

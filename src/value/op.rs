@@ -39,12 +39,12 @@ impl std::fmt::Debug for Ctx<'_> {
 }
 
 impl Ctx<'_> {
-    /// Calls a function that was given as an argument.
+    /// Calls a function that was given as an argument. A list that nobody else has may grow in it.
     ///
     /// # Errors
     /// Whatever goes wrong inside it.
-    pub fn call(&mut self, function: &Callback, args: &[Value]) -> Result<Value> {
-        self.caller.call(&function.0, args, self.span)
+    pub fn call(&mut self, function: &Callback, args: impl Into<Vec<Value>>) -> Result<Value> {
+        self.caller.call(&function.0, args.into(), self.span)
     }
 
     /// Tells what decided a test of the elements of a list.
@@ -94,7 +94,7 @@ pub trait Caller {
     ///
     /// # Errors
     /// Whatever goes wrong inside it.
-    fn call(&mut self, function: &Value, args: &[Value], span: Span) -> Result<Value>;
+    fn call(&mut self, function: &Value, args: Vec<Value>, span: Span) -> Result<Value>;
 
     /// What a function of the script compares when it is called with these arguments.
     ///

@@ -408,7 +408,7 @@ def dxf(ours):
     worst, n = 0.0, 0
     named = {}
     for entity in document.modelspace():
-        if entity.dxftype() in ("SPLINE", "LINE", "POLYLINE"):
+        if entity.dxftype() in ("SPLINE", "LINE", "POLYLINE", "CIRCLE", "ARC", "LWPOLYLINE"):
             named[entity.get_xdata("VIROTE")[0].value if entity.has_xdata("VIROTE") else "?"] = entity
     values = json.loads((OUT / "wires.json").read_text())["values"]
     for name, data in values.items():

@@ -7,7 +7,9 @@ use std::{
 
 use virote_kernel::{
     CircleForm, Cutter, Direction, Face, FaceError, Frame, GeomError, Grid, Interval, KnotVector,
-    NurbsCurve, NurbsSurface, RegionSide, TessellationOptions, Tolerance, glam::DVec3,
+    NurbsCurve, NurbsSurface, Region, RegionSide, TessellationOptions, Tolerance,
+    glam::{DAffine3, DVec3},
+    work,
 };
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
@@ -312,4 +314,48 @@ fn parts_of_a_surface_are_the_same_wherever_its_parameters_lie() {
             assert!((found - expected).abs() < 1e-5, "{start}: {found} for {expected}");
         }
     }
+}
+
+#[test]
+fn what_is_nearest_is_found_at_once_where_all_of_the_surface_is_nearly_equally_far() {
+    let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1e3).unwrap()), TOLERANCE);
+    let upper =
+        sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z * 1e3, TOLERANCE).unwrap();
+    let before = work::counted();
+    for exponent in -9..3 {
+        let off = 10.0_f64.powi(exponent);
+        for (x, z) in [(0.0, -off), (-off, -off), (-off, off)] {
+            let found = upper.closest(DVec3::new(x, 0.0, z), TOLERANCE).unwrap();
+            let least = match z < 0.0 {
+                true => (1e3 + x).hypot(z),
+                false => 1e3 - x.hypot(z),
+            };
+            assert!((found.distance - least).abs() < 1e-9, "{x}, {z}: {} {least}", found.distance);
+        }
+    }
+    assert!(work::counted() - before < 1_000_000, "{}", work::counted() - before);
+}
+
+#[test]
+fn what_is_nearest_of_a_cap_is_found_at_once_from_beside_its_rim() {
+    let upright = circle([0.0; 2], 999.9);
+    let turn = DAffine3::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.65);
+    let cap = Region::new(&upright, &[], TOLERANCE).unwrap();
+    let cap = Face::of_region(&cap, TOLERANCE).unwrap().transformed(&turn).unwrap();
+    let before = work::counted();
+    for angle in 0..2 {
+        let angle = 0.1 + 2.5 * f64::from(angle);
+        let place = |radius: f64, z: f64| {
+            turn.transform_point3(DVec3::new(radius * angle.cos(), radius * angle.sin(), z))
+        };
+        for off in [1e-7, 1e-4, 0.1, 10.0] {
+            for z in [-80.0, 1e-3, 1e3] {
+                let found = cap.closest(place(999.9 + off, z), TOLERANCE).unwrap();
+                assert!((found.distance - off.hypot(z)).abs() < 1e-9, "{angle}, {off}, {z}");
+                let found = cap.closest(place(999.9 - off, z), TOLERANCE).unwrap();
+                assert!((found.distance - z.abs()).abs() < 1e-9, "{angle}, {off}, {z}");
+            }
+        }
+    }
+    assert!(work::counted() - before < 1_000_000, "{}", work::counted() - before);
 }

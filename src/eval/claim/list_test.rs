@@ -105,7 +105,7 @@ impl Machine<'_> {
         let mut n = 0;
         for element in list.values() {
             let passes = match test {
-                Some(test) => self.apply(test, &[element], span).ok()?,
+                Some(test) => self.apply(test, vec![element], span).ok()?,
                 None => element,
             };
             n += usize::from(!matches!(passes, Value::Bool(true)));

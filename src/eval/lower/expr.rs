@@ -8,6 +8,7 @@ use super::{
         Parameter, StringPart, TextFormat, UnaryOp,
     },
     Lowerer,
+    growing::growing,
     scope::{Captures, Siblings},
 };
 use crate::{
@@ -307,7 +308,7 @@ impl<'s> Lowerer<'_, 's> {
                 Parameter { name: Arc::from(name.text), default: None }
             })
             .collect();
-        let body = self.expr(body);
+        let body = growing(self.expr(body));
         let (n_slots, captures) = self.scopes.leave();
         let lambda = Lambda { name: None, parameters, body, n_slots };
         ExprKind::Lambda(Arc::new(Group { lambdas: vec![lambda] }), 0, captures.sources())
@@ -334,7 +335,7 @@ impl<'s> Lowerer<'_, 's> {
                 Parameter { name, default }
             })
             .collect();
-        let body = self.expr(&function.body);
+        let body = growing(self.expr(&function.body));
         let (n_slots, captures) = self.scopes.leave();
         (Lambda { name: Some(Arc::from(function.name.text)), parameters, body, n_slots }, captures)
     }

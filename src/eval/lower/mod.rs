@@ -5,6 +5,7 @@ mod block;
 mod expr;
 pub(in crate::eval) mod foreign_names;
 mod graph;
+mod growing;
 mod import;
 mod name_walk;
 mod scope;

@@ -1,15 +1,19 @@
-//! DXF: splines exactly, polygons, points, and triangles as 3D faces.
+//! DXF: splines exactly, circles and arcs as such, polygons, points, and triangles as 3D faces.
 //!
 //! Autodesk, *AutoCAD 2000 DXF Reference* (AC1015), the oldest version with true colours by 420 and
 //! splines in a form that all readers know.
 
 mod layers;
+mod round;
 
 use std::io::Write;
 
 use glam::DVec3;
 
-use self::layers::{Layers, readable};
+use self::{
+    layers::{Layers, readable},
+    round::{ArcPath, ObjectAxes, RoundCurve, round_curve},
+};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
     exact::{Exact, exact},
@@ -22,7 +26,7 @@ use crate::kernel::{Mesh, NurbsCurve};
 pub(super) static FORMAT: Format = Format {
     ending: "dxf",
     aliases: &[],
-    title: "DXF: exact splines, polylines and points, surfaces and meshes as 3D faces, a layer for each name",
+    title: "DXF: exact splines, arcs, polylines and points, surfaces and meshes as 3D faces, a layer for each name",
     options: &[&TOLERANCE, &ANGLE, &DECIMALS],
     takes: |subject| {
         subject.is_geometry() && !matches!(subject, Subject::Region(_) | Subject::Face(_))
@@ -49,7 +53,8 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
     let mut solids = solids(job, tolerance(job)?)?.into_iter();
     let mut summary = Summary::default();
     let text = TextBuffer::rounded(job.options.decimals);
-    let mut file = Dxf { text, next: handle::FIRST, layers: Layers::of(&job.items) };
+    let mut file =
+        Dxf { text, next: handle::FIRST, layers: Layers::of(&job.items), precision: job.precision };
     file.head(job);
     file.tables();
     file.blocks();
@@ -90,6 +95,8 @@ struct Dxf {
     /// The next free handle.
     next: usize,
     layers: Layers,
+    /// Ends so near one another are one point.
+    precision: f64,
 }
 
 impl Dxf {
@@ -282,7 +289,10 @@ impl Dxf {
     fn curve(&mut self, item: &Item, curve: &NurbsCurve) {
         let points = curve.points();
         match (curve.is_rational() || 1 < curve.degree(), &points[..]) {
-            (true, _) => self.spline(item, curve, &points),
+            (true, _) => match round_curve(curve, self.precision) {
+                Some(round) => self.round(item, &round),
+                None => self.spline(item, curve, &points),
+            },
             (false, [a, b]) => {
                 self.entity("LINE", item, &["AcDbLine"]);
                 self.place(10, *a).place(11, *b);
@@ -292,11 +302,42 @@ impl Dxf {
         }
     }
 
+    /// The direction that a circle, arc or path is seen from; against z it is left out.
+    fn extrusion(&mut self, axes: &ObjectAxes) -> &mut Self {
+        if axes.normal() == DVec3::Z { self } else { self.place(210, axes.normal()) }
+    }
+
+    fn round(&mut self, item: &Item, round: &RoundCurve) {
+        match round {
+            RoundCurve::Circle { axes, center, radius } => {
+                self.entity("CIRCLE", item, &["AcDbCircle"]);
+                self.place(10, *center).number(40, *radius).extrusion(axes);
+            }
+            RoundCurve::Arc { axes, center, radius, angles: [from, to] } => {
+                self.entity("ARC", item, &["AcDbCircle"]);
+                self.place(10, *center).number(40, *radius).extrusion(axes);
+                self.group(100, "AcDbArc").exact(50, *from).exact(51, *to);
+            }
+            RoundCurve::Path(path) => self.arc_path(item, path),
+        }
+        self.name(item);
+    }
+
+    fn arc_path(&mut self, item: &Item, ArcPath { axes, vertices, is_closed }: &ArcPath) {
+        self.entity("LWPOLYLINE", item, &["AcDbPolyline"]);
+        let height = vertices.first().map_or(0.0, |vertex| vertex.place.z);
+        self.count(90, vertices.len()).count(70, usize::from(*is_closed)).number(38, height);
+        for vertex in vertices {
+            self.number(10, vertex.place.x).number(20, vertex.place.y).exact(42, vertex.bulge);
+        }
+        self.extrusion(axes);
+    }
+
     fn spline(&mut self, item: &Item, curve: &NurbsCurve, points: &[DVec3]) {
         let knots = curve.knots().as_slice();
         self.entity("SPLINE", item, &["AcDbSpline"]);
         // 1: closed, 4: rational.
-        let is_closed = curve.start() == curve.end();
+        let is_closed = curve.start().distance(curve.end()) <= self.precision;
         self.count(70, usize::from(is_closed) + 4 * usize::from(curve.is_rational()));
         self.count(71, curve.degree()).count(72, knots.len()).count(73, points.len()).count(74, 0);
         for &knot in knots {
@@ -314,7 +355,8 @@ impl Dxf {
     }
 
     fn polyline(&mut self, item: &Item, points: &[DVec3]) {
-        let is_closed = points.first() == points.last();
+        let ends = points.first().zip(points.last());
+        let is_closed = ends.is_some_and(|(a, b)| a.distance(*b) <= self.precision);
         let points = if is_closed { &points[1..] } else { points };
         self.entity("POLYLINE", item, &["AcDb3dPolyline"]);
         // 8: in space, 1: closed.

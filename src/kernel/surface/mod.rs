@@ -28,6 +28,7 @@ pub use evaluation::evaluator::SurfaceEvaluator;
 pub use evaluation::grid_eval::GridSamples;
 pub use intersection::analytic::{AnalyticChart, AnalyticForm, AnalyticSurface, QuadricKind};
 pub use intersection::level_set::{CurveSurfaceIntersection, LevelSet, PictureError};
+pub(crate) use intersection::square;
 pub use measurement::closest::{ParametricPlaces, SurfaceClosestPoint};
 pub use measurement::defects::SurfaceDefects;
 pub use measurement::joint::SurfaceContinuity;

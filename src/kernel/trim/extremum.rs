@@ -2,23 +2,25 @@
 //!
 //! The least of a quantity over a face is taken on the border, or inside at a place where it is least for the
 //! surface around it. The domain is divided into boxes: what a box can give at most is known from the part of the
-//! surface over it, and a box that no arc of the border meets is inside or outside as a whole. Boxes that cannot
-//! give less than what is known already are left out, and so are those on the border over which a derivative
-//! keeps its sign; the others there are divided. Branch and bound: Ma & Hewitt, *Point inversion and projection
+//! surface over it (`bounded`), and a box that no arc of the border meets is inside or outside as a whole. Boxes that
+//! cannot give less than what is known already are left out, and so are those on the border over which a derivative
+//! keeps its sign; the others there are divided, and with them the arcs. Branch and bound: Ma & Hewitt, *Point inversion and projection
 //! for NURBS curve and surface*, CAGD 20 (2003).
+
+use std::rc::Rc;
 
 use glam::DVec3;
 
 use super::{
     Face,
-    edge::{Carrier, SlopeRanges, slope_ranges},
+    bounded::{AxisRange, BoundedQuantity, DistanceTo, LeastValue, hull},
+    edge::Carrier,
 };
 use crate::{
     Bounds, Direction, GeomError, Interval, NurbsSurface, Region, RegionSide, Tolerance,
     arrange::winding_about,
     ceiling::BISECTIONS,
-    frame::norm,
-    numeric::enclosure::{outward, product, sum},
+    curve::part::{CurvePart, parts},
     tolerance::EXTREMUM_RELATIVE,
 };
 
@@ -45,89 +47,68 @@ pub struct FaceClosestPoint {
     pub distance: f64,
 }
 
-/// What is least over a part of a surface, and where, if that is known.
-struct LeastValue {
-    value: f64,
-    parameters: Option<[f64; 2]>,
+/// A box of parameters, with how often it was halved, and what of the border comes near it.
+struct FaceCell {
+    intervals: [Interval; 2],
+    depth: usize,
+    border: Vec<Rc<CurvePart>>,
 }
 
-/// A quantity that is least somewhere.
-trait BoundedQuantity {
-    /// Its least value over all of a surface.
-    fn least(&self, part: &NurbsSurface) -> LeastValue;
-
-    /// No more than its least value in a box.
-    fn at_least(&self, hull: Bounds) -> f64;
-
-    /// Whether its derivatives by u and v can both be zero, by the box and what Su and Sv are at most.
-    fn may_be_stationary(&self, hull: Bounds, slopes: &SlopeRanges) -> bool;
-}
-
-/// How far along an axis, turned around for the upper end.
-struct AxisRange {
-    axis: usize,
-    is_upper: bool,
-}
-
-impl AxisRange {
-    fn of(&self, bounds: Bounds) -> f64 {
-        if self.is_upper { -bounds.max[self.axis] } else { bounds.min[self.axis] }
-    }
-}
-
-impl BoundedQuantity for AxisRange {
-    fn least(&self, part: &NurbsSurface) -> LeastValue {
-        LeastValue { value: self.of(part.bounds()), parameters: None }
+impl FaceCell {
+    /// The surface over it; none of one that is too narrow to be cut out.
+    fn part_of(&self, surface: &NurbsSurface) -> Option<NurbsSurface> {
+        Direction::BOTH.into_iter().zip(self.intervals).try_fold(
+            surface.clone(),
+            |part, (along, interval)| match interval == part.domain(along) {
+                true => Some(part),
+                false => part.trimmed(along, interval).ok(),
+            },
+        )
     }
 
-    fn at_least(&self, hull: Bounds) -> f64 {
-        self.of(hull)
-    }
-
-    fn may_be_stationary(&self, _: Bounds, slopes: &SlopeRanges) -> bool {
-        slopes.iter().all(|slope| holds_zero(slope[self.axis]))
-    }
-}
-
-/// How far from a point.
-struct DistanceTo(DVec3);
-
-impl BoundedQuantity for DistanceTo {
-    fn least(&self, part: &NurbsSurface) -> LeastValue {
-        let foot = part.closest(self.0);
-        LeastValue { value: foot.distance, parameters: Some(foot.parameters) }
-    }
-
-    fn at_least(&self, Bounds { min, max }: Bounds) -> f64 {
-        norm((min - self.0).max(self.0 - max).max(DVec3::ZERO))
-    }
-
-    fn may_be_stationary(&self, Bounds { min, max }: Bounds, slopes: &SlopeRanges) -> bool {
-        let away = |axis: usize| outward([min[axis] - self.0[axis], max[axis] - self.0[axis]]);
-        slopes.iter().all(|slope| {
-            let along = |axis: usize| product(away(axis), slope[axis]);
-            holds_zero(sum(sum(along(0), along(1)), along(2)))
+    /// Its halves, with what of the border comes into `bounds`, the box in the plane of parameters.
+    ///
+    /// Halved is mostly what the border goes across, so that much of it comes to lie on one side alone.
+    fn halves(&self, border: Vec<Rc<CurvePart>>, bounds: Bounds) -> [Self; 2] {
+        let size = bounds.size();
+        let reach = border
+            .iter()
+            .map(|piece| piece.bounds)
+            .reduce(Bounds::union)
+            .map_or(size, |all| all.max.min(bounds.max) - all.min.max(bounds.min));
+        let across = [0, 1].map(|axis| reach[axis] / size[axis]);
+        let narrow = match across {
+            [u, v] if 2.0 * u < v => 0,
+            [u, v] if 2.0 * v < u => 1,
+            _ => self.depth % 2,
+        };
+        let along = if self.depth % HALVINGS_ACROSS == 0 { 1 - narrow } else { narrow };
+        self.intervals[along].halves().map(|half| {
+            let mut intervals = self.intervals;
+            intervals[along] = half;
+            Self { intervals, depth: self.depth + 1, border: border.clone() }
         })
     }
 }
 
-/// A box around a surface: that of its control points, or where weights are not positive its own.
-fn hull(surface: &NurbsSurface) -> Bounds {
-    let has_positive_weights = surface.control_points().iter().all(|point| 0.0 < point.w);
-    match Bounds::of(surface.points().iter().copied()) {
-        Some(hull) if has_positive_weights => hull,
-        _ => surface.bounds(),
+/// Of so many halvings of a box one is along the border.
+const HALVINGS_ACROSS: usize = 4;
+
+/// What of pieces of the border comes into a box of the plane of parameters, halved until it is no larger.
+fn coming_into(bounds: Bounds, pieces: &[Rc<CurvePart>]) -> Vec<Rc<CurvePart>> {
+    let extent = |bounds: Bounds| bounds.size().max_element();
+    let (mut todo, mut found) = (pieces.to_vec(), Vec::new());
+    while let Some(piece) = todo.pop() {
+        if !piece.bounds.is_near(bounds, 0.0) {
+            continue;
+        }
+        if extent(piece.bounds) <= extent(bounds) {
+            found.push(piece);
+        } else {
+            todo.extend(piece.halves().map(Rc::new));
+        }
     }
-}
-
-fn holds_zero([low, high]: [f64; 2]) -> bool {
-    low <= 0.0 && 0.0 <= high
-}
-
-/// A box of parameters, with how often it was halved.
-struct DistanceCell {
-    intervals: [Interval; 2],
-    depth: usize,
+    found
 }
 
 impl Face {
@@ -143,13 +124,13 @@ impl Face {
         }
         let distance = self.distance(tolerance);
         let border = self.border_bounds(distance)?;
-        let (boxes, carrier) = (self.border_boxes(distance)?, Carrier::new(surface));
+        let (pieces, carrier) = (self.border_pieces(distance)?, Carrier::new(surface));
         let mut found = border;
         for axis in 0..3 {
             for is_upper in [false, true] {
                 let reach = AxisRange { axis, is_upper };
                 let known = border.map_or(f64::INFINITY, |border| reach.of(border));
-                let inside = self.least_inside(known, &reach, (&boxes, &carrier))?;
+                let inside = self.least_inside(known, &reach, (&pieces, &carrier))?;
                 let value = inside.map_or(known, |inside| inside.value);
                 let bounds = found.get_or_insert(whole);
                 if is_upper {
@@ -187,8 +168,8 @@ impl Face {
             None => return Ok(of(foot.parameters)),
         };
         let (known, to) = (on_border.distance, DistanceTo(point));
-        let (boxes, carrier) = (self.border_boxes(distance)?, Carrier::new(surface));
-        let inside = self.least_inside(known, &to, (&boxes, &carrier))?;
+        let (pieces, carrier) = (self.border_pieces(distance)?, Carrier::new(surface));
+        let inside = self.least_inside(known, &to, (&pieces, &carrier))?;
         Ok(inside.and_then(|inside| inside.parameters).map_or(on_border, of))
     }
 
@@ -218,41 +199,26 @@ impl Face {
         &self,
         known: f64,
         quantity: &dyn BoundedQuantity,
-        (boxes, carrier): (&[Bounds], &Carrier<'_>),
+        (border, carrier): (&[Rc<CurvePart>], &Carrier<'_>),
     ) -> Result<Option<LeastValue>, GeomError> {
         let slack = EXTREMUM_RELATIVE * hull(&self.plane.surface).diagonal();
         let mut found: Option<LeastValue> = None;
-        let mut todo = vec![DistanceCell { intervals: self.plane.domains(), depth: 0 }];
-        while let Some(DistanceCell { intervals, depth }) = todo.pop() {
+        let mut todo =
+            vec![FaceCell { intervals: self.plane.domains(), depth: 0, border: border.to_vec() }];
+        while let Some(cell) = todo.pop() {
             GeomError::go_on(1)?;
-            let [from, to] =
-                [Interval::start, Interval::end].map(|end| self.plane.place(intervals.map(end)));
-            let is_met = boxes.iter().any(|border| {
-                border.min.x <= to.x
-                    && from.x <= border.max.x
-                    && border.min.y <= to.y
-                    && from.y <= border.max.y
-            });
-            let middle = self.plane.place(intervals.map(|interval| interval.at(0.5)));
-            if !is_met && !self.is_within(middle) {
+            let best = found.as_ref().map_or(known, |found| found.value) - slack;
+            let Some(part) = cell.part_of(&self.plane.surface) else { continue };
+            let hull = hull(&part);
+            if best <= quantity.at_least(hull) {
                 continue;
             }
+            let place = |end: fn(Interval) -> f64| self.plane.place(cell.intervals.map(end));
+            let bounds = Bounds { min: place(Interval::start), max: place(Interval::end) };
+            let border = coming_into(bounds, &cell.border);
             // What is least on the border is known: inside both derivatives vanish there.
-            let ranges = intervals.map(|interval| [interval.start(), interval.end()]);
-            let slopes = slope_ranges(carrier, ranges);
-            let part = Direction::BOTH.into_iter().zip(intervals).try_fold(
-                (*self.plane.surface).clone(),
-                |part, (along, interval)| match interval == part.domain(along) {
-                    true => Ok(part),
-                    false => part.trimmed(along, interval),
-                },
-            );
-            // Too narrow to be cut out.
-            let Ok(part) = part else { continue };
-            let best = found.as_ref().map_or(known, |found| found.value) - slack;
-            let hull = hull(&part);
-            if best <= quantity.at_least(hull)
-                || slopes.is_some_and(|slopes| !quantity.may_be_stationary(hull, &slopes))
+            if (border.is_empty() && !self.is_within(bounds.center()))
+                || !quantity.may_be_stationary(&part, carrier)
             {
                 continue;
             }
@@ -261,14 +227,10 @@ impl Face {
                 continue;
             }
             let is_inside = |parameters| self.is_within(self.plane.place(parameters));
-            if !is_met || there.parameters.is_some_and(is_inside) {
+            if border.is_empty() || there.parameters.is_some_and(is_inside) {
                 found = Some(there);
-            } else if depth < 2 * BISECTIONS {
-                let halved = match depth % 2 {
-                    0 => intervals[0].halves().map(|u| [u, intervals[1]]),
-                    _ => intervals[1].halves().map(|v| [intervals[0], v]),
-                };
-                todo.extend(halved.map(|intervals| DistanceCell { intervals, depth: depth + 1 }));
+            } else if cell.depth < 2 * BISECTIONS {
+                todo.extend(cell.halves(border, bounds));
             }
         }
         Ok(found)
@@ -280,11 +242,10 @@ impl Face {
         self.parts.iter().any(winds)
     }
 
-    /// The boxes of the border's arcs between their knots, in the plane of parameters. Seams that the face goes
-    /// over and poles are no border.
-    fn border_boxes(&self, distance: f64) -> Result<Vec<Bounds>, GeomError> {
+    /// The border's arcs between their knots, in the plane of parameters. Seams that the face goes over and poles
+    /// are no border.
+    fn border_pieces(&self, distance: f64) -> Result<Vec<Rc<CurvePart>>, GeomError> {
         let arcs = self.border_arcs(distance)?;
-        let pieces = arcs.iter().flat_map(|arc| arc.in_plane.decompose());
-        Ok(pieces.filter_map(|piece| Bounds::of(piece.points())).collect())
+        Ok(arcs.iter().flat_map(|arc| parts(&arc.in_plane)).map(Rc::new).collect())
     }
 }

@@ -7,7 +7,7 @@
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs of `cutter_arcs`, or of
 //! `overlaid` where cutters lie on the face, that `pull` makes of curves, through poles by `pole`, over knots by `stretch`, and by `division`, where surfaces narrow to a point by `pinch`, `measure` integrals over faces, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
-//! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest,
+//! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest by what `bounded` tells of parts,
 //! `clip` what of curves lies on them, `beside` what is at a distance beside them, `continuity` how they go on in others, `shell` what they enclose together where `border_edge` finds that they are
 //! neighbours, `facing` which must turn to look alike.
 //! `arc_of_parameters` has parts of curves of parameters, `edge_parameters` these by the parameter of an edge that is written.
@@ -17,6 +17,7 @@ mod arc_of_parameters;
 mod beside;
 mod border;
 mod border_edge;
+mod bounded;
 mod clip;
 mod conic;
 mod continuity;

@@ -21,7 +21,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
     let mut value = args.start;
     for item in args.list.iter() {
-        value = ctx.call(&args.f, &[value, item.clone()])?;
+        value = ctx.call(&args.f, [value, item.clone()])?;
     }
     Ok(value)
 }

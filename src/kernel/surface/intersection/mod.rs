@@ -2,4 +2,4 @@
 
 pub(super) mod analytic;
 pub(super) mod level_set;
-pub(super) mod square;
+pub(crate) mod square;

@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Sub};
 use crate::{Grid, bernstein};
 
 /// The derivative along u; that along v is the transpose of the transpose's.
-pub(in crate::surface) fn slope_u<T>(field: &Grid<T>) -> Grid<T>
+pub(crate) fn slope_u<T>(field: &Grid<T>) -> Grid<T>
 where
     T: Copy + Default + Sub<Output = T> + Mul<f64, Output = T>,
 {
@@ -46,7 +46,7 @@ where
 }
 
 /// The least and the largest coefficient, between which all values are.
-pub(in crate::surface) fn range(field: &Grid<f64>) -> [f64; 2] {
+pub(crate) fn range(field: &Grid<f64>) -> [f64; 2] {
     let least = field.iter().copied().fold(f64::INFINITY, f64::min);
     [least, field.iter().copied().fold(f64::NEG_INFINITY, f64::max)]
 }
@@ -66,7 +66,7 @@ pub(in crate::surface) fn value(field: &Grid<f64>, [u, v]: [f64; 2]) -> f64 {
 }
 
 /// The product; `times` multiplies two values. As [`bernstein::product`], along both parameters.
-pub(in crate::surface) fn product<A: Copy, B: Copy, C>(
+pub(crate) fn product<A: Copy, B: Copy, C>(
     a: &Grid<A>,
     b: &Grid<B>,
     times: impl Fn(A, B) -> C,

@@ -1,0 +1,1 @@
+print fold([1, 2], 5, (list, x) => [...list, x])

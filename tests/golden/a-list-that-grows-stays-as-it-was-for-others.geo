@@ -1,0 +1,28 @@
+// A list that grows in a function takes the memory of the one before, unless somebody else has that.
+let start = [for i in 0..<100: i]
+let places = [for i in 0..<100: (i, 0)]
+fn grown(list, x) = [...list, x]
+fn grown_twice(list, x) = [grown(list, x), grown(list, -x), list]
+fn kept(list, x) = { let before = [...list]  let f = () => list[-1]; [...list, x, f(), len(before)] }
+fn mixed(list, x) = if x % 2 == 0 then [...list, x] else [...list, "{x}"]
+
+check len(start) == 100 and start[-1] == 99 "numbers"
+check len(grown(start, 7)) == 101 and len(start) == 100
+check [for list in grown_twice(start, 7): list[-1]] == [7, -7, 99]
+check [for list in grown_twice(places, (7, 1)): list[-1]] == [(7, 1), (-7, -1), (99, 0)] "points"
+check [for x in kept(start, 5)[-3..-1]: x] == [5, 99, 100] "what a function inside holds"
+
+let all = fold(0..<500, [], (list, i) => [...list, i])
+check all == [for i in 0..<500: i]
+let steps = scan(0..<200, start, (list, i) => [...list, i])
+check [for i in 0..<200: len(steps[i])] == [for i in 0..<200: 101 + i] "every step stays"
+let twice = fold(0..<300, [], (list, i) => [...list, i, ...[i, i]])
+check len(twice) == 900 and twice[-1] == 299
+let lengths = fold(0..<100, [for i in 0..<100: i * 1mm], (list, i) => [...list, i])
+check len(lengths) == 200 and lengths[99] == 99mm and lengths[199] == 99 "another dimension"
+let words = fold(0..<200, [], mixed)
+check words[198] == 198 and words[199] == "199"
+let of_rows = fold(0..<3, table({a: [1, 2]}), (list, i) => [...list, i])
+check len(of_rows) == 5 and of_rows[1].a == 2
+let of_range = fold(0..<2, 0..2, (list, i) => [...list, 10 + i])
+check of_range == [0, 1, 2, 10, 11]
