@@ -287,7 +287,8 @@ fn faces_cut_from_surfaces_of_degree_one_have_bounds() {
 #[test]
 fn what_is_nearest_is_found_at_once_where_all_of_the_surface_is_nearly_equally_far() {
     let sphere = Face::whole(Arc::new(NurbsSurface::sphere(Frame::XY, 1e3).unwrap()), TOLERANCE);
-    let upper = sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z * 1e3, TOLERANCE).unwrap();
+    let upper =
+        sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z * 1e3, TOLERANCE).unwrap();
     let before = work::counted();
     for exponent in -9..3 {
         let off = 10.0_f64.powi(exponent);
