@@ -229,7 +229,7 @@ fn the_writing_of_a_file_keeps_to_the_ceilings_and_can_be_stopped() {
 fn copying_comparing_and_adding_up_counts_as_work() {
     // Each takes a few thousand steps of evaluation, and a million parts or more that are passed.
     let scripts = [
-        "print len(fold(1..2_000, [], (items, x) => [...items, x]))",
+        "print len(fold(1..2_000, [], (items, x) => [x, ...items]))",
         "print len(fold(1..2_000, \"\", (text, x) => \"{text}0123456789abcdef0123456789abcdef\"))",
         "let xs = [for i in 1..2_000: i]\nprint len([for i in 1..1_000: reverse(xs)])",
         "let xs = [for i in 1..2_000: i]\nprint sum([for i in 1..1_000: sum(xs)])",

@@ -8,8 +8,8 @@ use glam::DVec3;
 
 use crate::kernel::{AnalyticCurve, NurbsCurve, tolerance::ANALYTIC_RELATIVE};
 
-/// Below this x and y the normal counts as that of the plane of x and y, by the reference.
-const NEAR_Z: f64 = 1.0 / 64.0;
+/// A normal whose x and y are below one part in so many counts as that of the plane of x and y, by the reference.
+const NEAR_Z_PARTS: f64 = 64.0;
 
 /// Axes and normal of a plane through the origin, whose third coordinate is the height above it.
 #[derive(Clone, Copy)]
@@ -22,7 +22,7 @@ impl ObjectAxes {
         let lead = [z, y, x].into_iter().find(|part| ANALYTIC_RELATIVE < part.abs());
         let is_turned = lead.is_some_and(|lead| lead < 0.0);
         let normal = if is_turned { -normal } else { normal };
-        let is_near_z = normal.x.abs() < NEAR_Z && normal.y.abs() < NEAR_Z;
+        let is_near_z = NEAR_Z_PARTS * normal.x.abs().max(normal.y.abs()) < 1.0;
         let beside = if is_near_z { DVec3::Y } else { DVec3::Z };
         let x = beside.cross(normal).normalize();
         (Self([x, normal.cross(x), normal]), is_turned)

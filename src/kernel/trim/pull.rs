@@ -87,8 +87,11 @@ pub(super) fn arcs_on_surface(
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let bounds = plane.surface.bounds();
     let size = bounds.diagonal();
-    let magnitude = bounds.magnitude().max(plane.bounds().magnitude());
-    let last_bit = LAST_BIT * size.max(magnitude);
+    // Parameters far from 0 for their width have fewer digits than places.
+    let widths_from_zero =
+        |domain: Interval| domain.start().abs().max(domain.end().abs()) / domain.length();
+    let [u, v] = plane.domains().map(widths_from_zero);
+    let last_bit = LAST_BIT * (size * u.max(v).max(1.0)).max(bounds.magnitude());
     let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {
