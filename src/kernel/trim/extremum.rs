@@ -82,7 +82,7 @@ impl FaceCell {
             [u, v] if 2.0 * v < u => 1,
             _ => self.depth % 2,
         };
-        let along = if self.depth % HALVINGS_ACROSS == 0 { 1 - narrow } else { narrow };
+        let along = if self.depth.is_multiple_of(HALVINGS_ACROSS) { 1 - narrow } else { narrow };
         self.intervals[along].halves().map(|half| {
             let mut intervals = self.intervals;
             intervals[along] = half;
