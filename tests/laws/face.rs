@@ -287,7 +287,7 @@ fn faces_cut_from_surfaces_of_degree_one_have_bounds() {
 /// Parameters of stations and years have fewer digits behind the point than those from 0 to 1.
 #[test]
 fn parts_of_a_surface_are_the_same_wherever_its_parameters_lie() {
-    let height = |i: f64, k: f64| (2.0 * i).sin() * k.cos();
+    let height = |i: f64, k: f64| libm::sin(2.0 * i) * libm::cos(k);
     let row = |i: u8| {
         let point = |k: u8| {
             let (i, k) = (f64::from(i), f64::from(k));
@@ -323,12 +323,12 @@ fn what_is_nearest_is_found_at_once_where_all_of_the_surface_is_nearly_equally_f
         sphere.unwrap().part_at(&[Cutter::Plane(Frame::XY)], DVec3::Z * 1e3, TOLERANCE).unwrap();
     let before = work::counted();
     for exponent in -9..3 {
-        let off = 10.0_f64.powi(exponent);
+        let off = libm::pow(10.0, f64::from(exponent));
         for (x, z) in [(0.0, -off), (-off, -off), (-off, off)] {
             let found = upper.closest(DVec3::new(x, 0.0, z), TOLERANCE).unwrap();
             let least = match z < 0.0 {
-                true => (1e3 + x).hypot(z),
-                false => 1e3 - x.hypot(z),
+                true => libm::hypot(1e3 + x, z),
+                false => 1e3 - libm::hypot(x, z),
             };
             assert!((found.distance - least).abs() < 1e-9, "{x}, {z}: {} {least}", found.distance);
         }
@@ -346,12 +346,16 @@ fn what_is_nearest_of_a_cap_is_found_at_once_from_beside_its_rim() {
     for angle in 0..2 {
         let angle = 0.1 + 2.5 * f64::from(angle);
         let place = |radius: f64, z: f64| {
-            turn.transform_point3(DVec3::new(radius * angle.cos(), radius * angle.sin(), z))
+            turn.transform_point3(DVec3::new(
+                radius * libm::cos(angle),
+                radius * libm::sin(angle),
+                z,
+            ))
         };
         for off in [1e-7, 1e-4, 0.1, 10.0] {
             for z in [-80.0, 1e-3, 1e3] {
                 let found = cap.closest(place(999.9 + off, z), TOLERANCE).unwrap();
-                assert!((found.distance - off.hypot(z)).abs() < 1e-9, "{angle}, {off}, {z}");
+                assert!((found.distance - libm::hypot(off, z)).abs() < 1e-9, "{angle}, {off}, {z}");
                 let found = cap.closest(place(999.9 - off, z), TOLERANCE).unwrap();
                 assert!((found.distance - z.abs()).abs() < 1e-9, "{angle}, {off}, {z}");
             }
