@@ -124,7 +124,7 @@ impl Machine<'_> {
         let mut items = Vec::with_capacity(n_items + more.len());
         items.extend(self.iterate(&value, place)?);
         items.extend(more);
-        Ok(Value::list(items))
+        Ok(Value::List(List::growing(items)))
     }
 
     /// What a list, a table by its rows, or a range of whole numbers runs through.

@@ -47,7 +47,9 @@ pub struct List {
 
 #[derive(Clone, Debug)]
 enum ListItems {
-    Values(Arc<Vec<Value>>),
+    Values(Arc<[Value]>),
+    /// With room for more, which takes memory beside each list.
+    GrowingValues(Arc<Vec<Value>>),
     NumberList(Arc<NumberList>),
 }
 
@@ -87,6 +89,18 @@ impl List {
         Self { items: ListItems::NumberList(Arc::new(numbers)), extent }
     }
 
+    /// The list of these values, to which more may be appended soon; a short one is copied then.
+    pub(crate) fn growing(items: Vec<Value>) -> Self {
+        if items.len() < WORTH {
+            return Self::from(items);
+        }
+        if let Some((values, dim)) = all_numbers(&items) {
+            return Self::of_numbers(values, dim);
+        }
+        let extent = ValueExtent::around(&items);
+        Self { items: ListItems::GrowingValues(Arc::new(items)), extent }
+    }
+
     /// How deep and how large it is.
     #[must_use]
     pub fn extent(&self) -> ValueExtent {
@@ -98,6 +112,7 @@ impl List {
     pub fn len(&self) -> usize {
         match &self.items {
             ListItems::Values(values) => values.len(),
+            ListItems::GrowingValues(values) => values.len(),
             ListItems::NumberList(numbers) => numbers.values.len(),
         }
     }
@@ -113,6 +128,7 @@ impl List {
     pub fn get(&self, idx: usize) -> Option<Value> {
         match &self.items {
             ListItems::Values(values) => values.get(idx).cloned(),
+            ListItems::GrowingValues(values) => values.get(idx).cloned(),
             ListItems::NumberList(numbers) => {
                 numbers.values.get(idx).map(|&value| numbers.value(value))
             }
@@ -128,7 +144,7 @@ impl List {
     #[must_use]
     pub fn numbers(&self) -> Option<(&[f64], Dimension)> {
         match &self.items {
-            ListItems::Values(_) => None,
+            ListItems::Values(_) | ListItems::GrowingValues(_) => None,
             ListItems::NumberList(numbers) => Some((&numbers.values, numbers.dim)),
         }
     }
@@ -137,7 +153,9 @@ impl List {
     #[must_use]
     pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
         match &self.items {
-            ListItems::Values(values) => values[range].iter().cloned().collect(),
+            ListItems::Values(_) | ListItems::GrowingValues(_) => {
+                self[range].iter().cloned().collect()
+            }
             ListItems::NumberList(numbers) => {
                 Self::of_numbers(numbers.values[range].to_vec(), numbers.dim)
             }
@@ -151,7 +169,7 @@ impl List {
     pub(crate) fn append(&mut self, more: Vec<Value>) -> Result<(), Vec<Value>> {
         let extent = ValueExtent::around(&more);
         match &mut self.items {
-            ListItems::Values(values) if WORTH <= values.len() => match Arc::get_mut(values) {
+            ListItems::GrowingValues(values) => match Arc::get_mut(values) {
                 Some(values) => values.extend(more),
                 None => return Err(more),
             },
@@ -181,6 +199,9 @@ impl List {
     pub fn is_same(&self, other: &Self) -> bool {
         match (&self.items, &other.items) {
             (ListItems::Values(own), ListItems::Values(other)) => Arc::ptr_eq(own, other),
+            (ListItems::GrowingValues(own), ListItems::GrowingValues(other)) => {
+                Arc::ptr_eq(own, other)
+            }
             (ListItems::NumberList(own), ListItems::NumberList(other)) => Arc::ptr_eq(own, other),
             _ => false,
         }
@@ -193,6 +214,7 @@ impl Deref for List {
     fn deref(&self) -> &[Value] {
         match &self.items {
             ListItems::Values(values) => values,
+            ListItems::GrowingValues(values) => values,
             ListItems::NumberList(numbers) => numbers
                 .spelled
                 .get_or_init(|| numbers.values.iter().map(|&value| numbers.value(value)).collect()),
@@ -200,7 +222,7 @@ impl Deref for List {
     }
 }
 
-/// Elements from which on numbers are held as such.
+/// Elements from which on numbers are held as such, and more are appended in place.
 const WORTH: usize = 64;
 
 /// The numbers, if all are such and of one dimension, and enough that it pays.
@@ -221,14 +243,14 @@ impl From<Vec<Value>> for List {
         if let Some((values, dim)) = all_numbers(&items) {
             return Self::of_numbers(values, dim);
         }
-        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::new(items)) }
+        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::from(items)) }
     }
 }
 
 impl FromIterator<Value> for List {
     fn from_iter<I: IntoIterator<Item = Value>>(items: I) -> Self {
-        let items: Vec<Value> = items.into_iter().collect();
-        Self { extent: ValueExtent::around(&items), items: ListItems::Values(Arc::new(items)) }
+        let items: Arc<[Value]> = items.into_iter().collect();
+        Self { extent: ValueExtent::around(items.iter()), items: ListItems::Values(items) }
     }
 }
 
