@@ -363,3 +363,45 @@ fn what_is_nearest_of_a_cap_is_found_at_once_from_beside_its_rim() {
     }
     assert!(work::counted() - before < 1_000_000, "{}", work::counted() - before);
 }
+
+/// Inside of a face what is nearest or reaches farthest is smooth, but for tips and for seams with a crease.
+#[test]
+fn tips_and_creased_seams_are_nearest_and_reach_farthest() {
+    let cone = whole(NurbsSurface::cone(Frame::XY, [2.0, 0.0], 4.0).unwrap());
+    let plane = Frame::XY.at(DVec3::Z * 2.0);
+    let upper = &cone.beside_plane(plane, true, TOLERANCE).unwrap()[0];
+    let bounds = upper.bounds(TOLERANCE).unwrap();
+    assert!((bounds.max.z - 4.0).abs() < 1e-9 && (bounds.min.z - 2.0).abs() < 1e-9, "{bounds:?}");
+    for (x, z) in [(0.0, 5.0), (0.1, 5.0), (-0.2, 4.5), (0.0, 7.0)] {
+        let found = upper.closest(DVec3::new(x, 0.0, z), TOLERANCE).unwrap().distance;
+        assert!((found - libm::hypot(x, z - 4.0)).abs() < 1e-9, "{x}, {z}: {found}");
+    }
+    // The outline of a leaf, whose tips lie on the seam and opposite to it.
+    let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    let knots = KnotVector::new(2, vec![0.0, 0.0, 0.0, 0.5, 0.5, 1.0, 1.0, 1.0]).unwrap();
+    let outline = [at(2.0, 0.0), at(0.0, 1.5), at(-2.0, 0.0), at(0.0, -1.5), at(2.0, 0.0)];
+    let leaf = NurbsCurve::polynomial(knots, &outline).unwrap();
+    let wall = whole(NurbsSurface::extruded(&leaf, DVec3::Z * 4.0).unwrap());
+    let plane = Frame::from_normal(DVec3::Z * 2.0, DVec3::X, None).unwrap();
+    let half = &wall.beside_plane(plane, true, TOLERANCE).unwrap()[0];
+    for (y, z) in [(0.0, 2.0), (0.2, 1.0), (-0.1, 3.5)] {
+        let found = half.closest(DVec3::new(3.0, y, z), TOLERANCE).unwrap().distance;
+        assert!((found - libm::hypot(1.0, y)).abs() < 1e-9, "{y}, {z}: {found}");
+    }
+}
+
+/// Beside the border of a bent face what is nearest is on the border.
+#[test]
+fn what_is_nearest_beside_a_slanted_border_is_found_at_once() {
+    let torus = Arc::new(NurbsSurface::torus(Frame::XY, 3.0, 1.0).unwrap());
+    let disc = Face::within(Arc::clone(&torus), &[circle([0.5, 0.5], 0.3)], TOLERANCE).unwrap();
+    let before = work::counted();
+    for (u, v) in [(0.55, 0.15), (0.2, 0.3), (0.75, 0.75), (0.4, 0.9)] {
+        let found = disc.closest(torus.point_at(u, v), TOLERANCE).unwrap();
+        let border = disc.edges(TOLERANCE).unwrap();
+        let beside = border.iter().map(|edge| edge.closest(torus.point_at(u, v), 1e-9).distance);
+        let least = beside.fold(f64::INFINITY, f64::min);
+        assert!((found.distance - least).abs() < 1e-6, "{u}, {v}: {} {least}", found.distance);
+    }
+    assert!(work::counted() - before < 100_000, "{}", work::counted() - before);
+}

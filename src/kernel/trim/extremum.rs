@@ -68,7 +68,8 @@ impl FaceCell {
 
     /// Its halves, with what of the border comes into `bounds`, the box in the plane of parameters.
     ///
-    /// Halved is mostly what the border goes across, so that much of it comes to lie on one side alone.
+    /// Halved is mostly what the border goes across, so that much of it comes to lie on one side alone; the longer side
+    /// where it goes across both.
     fn halves(&self, border: Vec<Rc<CurvePart>>, bounds: Bounds) -> [Self; 2] {
         let size = bounds.size();
         let reach = border
@@ -77,12 +78,12 @@ impl FaceCell {
             .reduce(Bounds::union)
             .map_or(size, |all| all.max.min(bounds.max) - all.min.max(bounds.min));
         let across = [0, 1].map(|axis| reach[axis] / size[axis]);
-        let narrow = match across {
-            [u, v] if 2.0 * u < v => 0,
-            [u, v] if 2.0 * v < u => 1,
-            _ => self.depth % 2,
+        let turned = usize::from(self.depth.is_multiple_of(HALVINGS_ACROSS));
+        let along = match across {
+            [u, v] if 2.0 * u < v => turned,
+            [u, v] if 2.0 * v < u => 1 - turned,
+            _ => usize::from(size.x < size.y),
         };
-        let along = if self.depth.is_multiple_of(HALVINGS_ACROSS) { 1 - narrow } else { narrow };
         self.intervals[along].halves().map(|half| {
             let mut intervals = self.intervals;
             intervals[along] = half;
@@ -124,13 +125,13 @@ impl Face {
         }
         let distance = self.distance(tolerance);
         let border = self.border_bounds(distance)?;
-        let (pieces, carrier) = (self.border_pieces(distance)?, Carrier::new(surface));
+        let search = ExtremumSearch::of(self, distance)?;
         let mut found = border;
         for axis in 0..3 {
             for is_upper in [false, true] {
                 let reach = AxisRange { axis, is_upper };
                 let known = border.map_or(f64::INFINITY, |border| reach.of(border));
-                let inside = self.least_inside(known, &reach, (&pieces, &carrier))?;
+                let inside = self.least_inside(known, &reach, &search)?;
                 let value = inside.map_or(known, |inside| inside.value);
                 let bounds = found.get_or_insert(whole);
                 if is_upper {
@@ -168,8 +169,7 @@ impl Face {
             None => return Ok(of(foot.parameters)),
         };
         let (known, to) = (on_border.distance, DistanceTo(point));
-        let (pieces, carrier) = (self.border_pieces(distance)?, Carrier::new(surface));
-        let inside = self.least_inside(known, &to, (&pieces, &carrier))?;
+        let inside = self.least_inside(known, &to, &ExtremumSearch::of(self, distance)?)?;
         Ok(inside.and_then(|inside| inside.parameters).map_or(on_border, of))
     }
 
@@ -199,12 +199,15 @@ impl Face {
         &self,
         known: f64,
         quantity: &dyn BoundedQuantity,
-        (border, carrier): (&[Rc<CurvePart>], &Carrier<'_>),
+        search: &ExtremumSearch<'_>,
     ) -> Result<Option<LeastValue>, GeomError> {
         let slack = EXTREMUM_RELATIVE * hull(&self.plane.surface).diagonal();
         let mut found: Option<LeastValue> = None;
-        let mut todo =
-            vec![FaceCell { intervals: self.plane.domains(), depth: 0, border: border.to_vec() }];
+        let mut todo = vec![FaceCell {
+            intervals: self.plane.domains(),
+            depth: 0,
+            border: search.border.clone(),
+        }];
         while let Some(cell) = todo.pop() {
             GeomError::go_on(1)?;
             let best = found.as_ref().map_or(known, |found| found.value) - slack;
@@ -216,9 +219,10 @@ impl Face {
             let place = |end: fn(Interval) -> f64| self.plane.place(cell.intervals.map(end));
             let bounds = Bounds { min: place(Interval::start), max: place(Interval::end) };
             let border = coming_into(bounds, &cell.border);
-            // What is least on the border is known: inside both derivatives vanish there.
+            // What is least on the border is known: inside both derivatives vanish there, but for tips and creases.
             if (border.is_empty() && !self.is_within(bounds.center()))
-                || !quantity.may_be_stationary(&part, carrier)
+                || !(search.may_be_bent(self.plane.domains(), cell.intervals)
+                    || quantity.may_be_stationary(&part, &search.carrier))
             {
                 continue;
             }
@@ -241,11 +245,38 @@ impl Face {
         let winds = |part: &Region| winding_about(part.arcs(), place).is_some_and(|n| n != 0);
         self.parts.iter().any(winds)
     }
+}
 
+/// What is known of a face before boxes of its domain are looked at.
+struct ExtremumSearch<'f> {
     /// The border's arcs between their knots, in the plane of parameters. Seams that the face goes over and poles
     /// are no border.
-    fn border_pieces(&self, distance: f64) -> Result<Vec<Rc<CurvePart>>, GeomError> {
-        let arcs = self.border_arcs(distance)?;
-        Ok(arcs.iter().flat_map(|arc| parts(&arc.in_plane)).map(Rc::new).collect())
+    border: Vec<Rc<CurvePart>>,
+    carrier: Carrier<'f>,
+    /// Whether the surface goes on over the start, and the end, of u and of v, at a seam or a pole. There it may have
+    /// a crease or a tip.
+    goes_on: [[bool; 2]; 2],
+}
+
+impl<'f> ExtremumSearch<'f> {
+    fn of(face: &'f Face, distance: f64) -> Result<Self, GeomError> {
+        let surface = &*face.plane.surface;
+        let arcs = face.border_arcs(distance)?;
+        let [u0, u1, v0, v1] = surface.edges().map(|edge| edge.bounds().diagonal() <= distance);
+        let [u, v] = face.plane.is_closed;
+        Ok(Self {
+            border: arcs.iter().flat_map(|arc| parts(&arc.in_plane)).map(Rc::new).collect(),
+            carrier: Carrier::new(surface),
+            goes_on: [[u || u0, u || u1], [v || v0, v || v1]],
+        })
+    }
+
+    /// Whether a box of the domain reaches an edge of it over which the surface goes on.
+    fn may_be_bent(&self, domains: [Interval; 2], intervals: [Interval; 2]) -> bool {
+        (0..2).any(|i| {
+            let [at_start, at_end] = self.goes_on[i];
+            at_start && intervals[i].start() <= domains[i].start()
+                || at_end && domains[i].end() <= intervals[i].end()
+        })
     }
 }
