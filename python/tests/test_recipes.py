@@ -143,7 +143,7 @@ def test_openmdao_and_optuna_find_the_lightest_bottle() -> None:
     assert distributions["body"].high == 70 and set(distributions) == {"body", "height", "shoulder"}
 
 
-def test_a_hull_is_faired_by_derivatives_ten_times_as_fast_as_by_differences() -> None:
+def test_a_hull_is_faired_by_derivatives_eight_times_as_fast_as_by_differences() -> None:
     """The fifty unknowns of fairing.geo, and SciPy's differences around the same surface, in one run."""
     scipy_optimize = pytest.importorskip("scipy.optimize")
     script = STUDIES / "fairing.geo"

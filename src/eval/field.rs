@@ -66,7 +66,7 @@ impl Machine<'_> {
                 .hint(format!("a list has elements; a point of it is `({list}[0], {list}[1])`"));
         } else if let Some(call) = self.env.instead_of_field(subject, value, name) {
             diagnostic = diagnostic.hint(call);
-        } else if names.is_empty()
+        } else if matches!(value, Value::List(_))
             && let Some(advice) = foreign_advice(name)
         {
             diagnostic = diagnostic.hint(advice);

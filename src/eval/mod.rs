@@ -62,9 +62,9 @@ pub use claim::{ClaimSide, Verdict};
 pub use dependencies::{DependencyNode, Graph, graph};
 pub(crate) use invoke::invoke;
 pub(crate) use ir::param_kinds;
-pub(crate) use lower::foreign_names::advice as foreign_advice;
 #[cfg(feature = "cli")]
-#[cfg(test)]
+pub(crate) use lower::foreign_names::advice as foreign_advice;
+#[cfg(all(test, feature = "cli"))]
 pub(crate) use lower::foreign_names::all as all_foreign;
 pub use memory::{CacheRun, Memory, Work};
 pub use name_search::name_uses;

@@ -390,6 +390,23 @@ fn tips_and_creased_seams_are_nearest_and_reach_farthest() {
     }
 }
 
+/// A roof of three slopes, of which a part is left out.
+#[test]
+fn a_ridge_of_a_face_is_nearest_where_no_slope_is() {
+    let at = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+    let knots = KnotVector::new(1, vec![0.0, 0.0, 2.0, 3.0, 4.0, 4.0]).unwrap();
+    let profile = [at(-2.0, 0.0), at(0.0, 1.0), at(1.0, 0.0), at(2.0, 1.5)];
+    let profile = NurbsCurve::polynomial(knots, &profile).unwrap();
+    let roof = whole(NurbsSurface::extruded(&profile, DVec3::Y * 10.0).unwrap());
+    let plane = Frame::from_normal(DVec3::X * 1.5, DVec3::X, None).unwrap();
+    let face = &roof.beside_plane(plane, false, TOLERANCE).unwrap()[0];
+    for (x, z) in [(1.0, 3.0), (0.8, 3.0), (0.9, 3.0), (0.0, 2.0)] {
+        let found = face.closest(DVec3::new(x, 5.0, z), TOLERANCE).unwrap().distance;
+        assert!((found - libm::hypot(x, z - 1.0)).abs() < 1e-9, "{x}, {z}: {found}");
+    }
+    assert!((face.bounds(TOLERANCE).unwrap().max.z - 1.0).abs() < 1e-9);
+}
+
 /// Beside the border of a bent face what is nearest is on the border.
 #[test]
 fn what_is_nearest_beside_a_slanted_border_is_found_at_once() {

@@ -129,7 +129,6 @@ const FOREIGN: &[(&[&str], &str)] = &[
     (&["select", "where"], "write `filter(list, test)`"),
     (&["average", "avg"], "write `mean(list)`"),
     (&["prod"], "write `product(list)`"),
-    (&["median"], "write `sort(list)[floor(len(list) / 2)]`"),
     (&["std", "stdev", "variance"], "write it with `mean`, `sum` and `len`"),
     (&["indexof", "find", "search"], "write `index_of(list, value)`, or `filter(list, test)`"),
     (&["includes", "has", "member"], "write `contains(list, value)`"),
@@ -242,7 +241,7 @@ pub(crate) fn advice(name: &str) -> Option<&'static str> {
 }
 
 /// All words, each with what to write instead.
-#[cfg(test)]
+#[cfg(all(test, feature = "cli"))]
 pub(crate) fn all() -> impl Iterator<Item = (&'static str, &'static str)> {
     FOREIGN.iter().flat_map(|&(words, advice)| words.iter().map(move |word| (*word, advice)))
 }

@@ -270,7 +270,9 @@ impl<'s> Lowerer<'_, 's> {
             return self.poison(span);
         }
         let defined = near.and_then(|near| self.global(near)).map(|(_, span)| span);
-        match (near.or(near_builtin), foreign_names::advice(name)) {
+        // The script's own names are nearer than words of other programs, and these than what is built in.
+        let advice = foreign_names::advice(name).filter(|_| near.is_none());
+        match (near.or(near_builtin), advice) {
             (_, Some(advice)) => {
                 let diagnostic = Diagnostic::error(
                     Code::UnknownName,

@@ -302,9 +302,14 @@ impl Dxf {
         }
     }
 
-    /// The direction that a circle, arc or path is seen from; against z it is left out.
+    /// The direction that a circle, arc or path is seen from, to the last digit, since readers make axes of it; none
+    /// is written for z.
     fn extrusion(&mut self, axes: &ObjectAxes) -> &mut Self {
-        if axes.normal() == DVec3::Z { self } else { self.place(210, axes.normal()) }
+        let [x, y, z] = axes.normal().to_array();
+        match axes.normal() == DVec3::Z {
+            true => self,
+            false => self.exact(210, x).exact(220, y).exact(230, z),
+        }
     }
 
     fn round(&mut self, item: &Item, round: &RoundCurve) {

@@ -1,6 +1,7 @@
 //! Circles, circular arcs, and paths of arcs and straight lines, as a DXF has them: in the plane of a normal.
 //!
-//! Autodesk, *AutoCAD 2000 DXF Reference*, "Object Coordinate Systems": the normal alone tells the axes.
+//! Autodesk, *AutoCAD 2000 DXF Reference*, "Object Coordinate Systems": the normal alone tells the axes, by what is
+//! called the arbitrary axis algorithm.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,4 +1,4 @@
-//! Quantities that are least somewhere on a surface: what a part of it can give at most.
+//! Quantities that are least somewhere on a surface: no more than what a part of it can give.
 
 use glam::{DVec3, DVec4};
 
@@ -126,7 +126,7 @@ fn is_patch(surface: &NurbsSurface) -> bool {
         && net.iter().all(|point| 0.0 < point.w)
 }
 
-/// What Su and Sv are at most over a part of a surface.
+/// Ranges that hold Su and Sv over a part of a surface.
 fn slopes_over(part: &NurbsSurface, carrier: &Carrier<'_>) -> Option<SlopeRanges> {
     let ends = |along: Direction| [part.domain(along).start(), part.domain(along).end()];
     slope_ranges(carrier, Direction::BOTH.map(ends))

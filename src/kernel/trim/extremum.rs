@@ -1,11 +1,12 @@
 //! What of a face is nearest to a point or reaches farthest.
 //!
 //! The least of a quantity over a face is taken on the border, or inside at a place where it is least for the
-//! surface around it. The domain is divided into boxes: what a box can give at most is known from the part of the
+//! surface around it. The domain is divided into boxes: what a box gives at least is known from the part of the
 //! surface over it (`bounded`), and a box that no arc of the border meets is inside or outside as a whole. Boxes that
 //! cannot give less than what is known already are left out, and so are those on the border over which a derivative
-//! keeps its sign; the others there are divided, and with them the arcs. Branch and bound: Ma & Hewitt, *Point inversion and projection
-//! for NURBS curve and surface*, CAGD 20 (2003).
+//! keeps its sign, but beside seams, poles and creases, where none need vanish; the others there are divided, and with
+//! them the arcs. Branch and bound: Ma & Hewitt, *Point inversion and projection for NURBS curve and surface*, CAGD 20
+//! (2003).
 
 use std::rc::Rc;
 
@@ -15,13 +16,14 @@ use super::{
     Face,
     bounded::{AxisRange, BoundedQuantity, DistanceTo, LeastValue, hull},
     edge::Carrier,
+    plane::ParameterPlane,
 };
 use crate::{
     Bounds, Direction, GeomError, Interval, NurbsSurface, Region, RegionSide, Tolerance,
     arrange::winding_about,
     ceiling::BISECTIONS,
     curve::part::{CurvePart, parts},
-    tolerance::EXTREMUM_RELATIVE,
+    tolerance::{EXTREMUM_RELATIVE, LAST_BIT},
 };
 
 /// A point of a face that is nearest to another.
@@ -95,21 +97,27 @@ impl FaceCell {
 /// Of so many halvings of a box one is along the border.
 const HALVINGS_ACROSS: usize = 4;
 
-/// What of pieces of the border comes into a box of the plane of parameters, halved until it is no larger.
-fn coming_into(bounds: Bounds, pieces: &[Rc<CurvePart>]) -> Vec<Rc<CurvePart>> {
+/// Last bits of places that pieces of the border are no larger than.
+const PLACE_BITS: f64 = 64.0;
+
+/// What of pieces of the border comes into a box of the plane of parameters, halved until it is no larger, as far as
+/// there are digits.
+fn coming_into(bounds: Bounds, pieces: &[Rc<CurvePart>]) -> Result<Vec<Rc<CurvePart>>, GeomError> {
     let extent = |bounds: Bounds| bounds.size().max_element();
+    let least = extent(bounds).max(PLACE_BITS * LAST_BIT * bounds.magnitude());
     let (mut todo, mut found) = (pieces.to_vec(), Vec::new());
     while let Some(piece) = todo.pop() {
+        GeomError::go_on(1)?;
         if !piece.bounds.is_near(bounds, 0.0) {
             continue;
         }
-        if extent(piece.bounds) <= extent(bounds) {
+        if extent(piece.bounds) <= least {
             found.push(piece);
         } else {
             todo.extend(piece.halves().map(Rc::new));
         }
     }
-    found
+    Ok(found)
 }
 
 impl Face {
@@ -218,10 +226,10 @@ impl Face {
             }
             let place = |end: fn(Interval) -> f64| self.plane.place(cell.intervals.map(end));
             let bounds = Bounds { min: place(Interval::start), max: place(Interval::end) };
-            let border = coming_into(bounds, &cell.border);
+            let border = coming_into(bounds, &cell.border)?;
             // What is least on the border is known: inside both derivatives vanish there, but for tips and creases.
             if (border.is_empty() && !self.is_within(bounds.center()))
-                || !(search.may_be_bent(self.plane.domains(), cell.intervals)
+                || !(search.may_be_bent(&self.plane, cell.intervals)
                     || quantity.may_be_stationary(&part, &search.carrier))
             {
                 continue;
@@ -271,12 +279,16 @@ impl<'f> ExtremumSearch<'f> {
         })
     }
 
-    /// Whether a box of the domain reaches an edge of it over which the surface goes on.
-    fn may_be_bent(&self, domains: [Interval; 2], intervals: [Interval; 2]) -> bool {
+    /// Whether a box of the domain reaches an edge of it over which the surface goes on, or a crease.
+    fn may_be_bent(&self, plane: &ParameterPlane, intervals: [Interval; 2]) -> bool {
+        let domains = plane.domains();
         (0..2).any(|i| {
+            let (start, end) = (intervals[i].start(), intervals[i].end());
+            if plane.creases[i].iter().any(|&crease| start <= crease && crease <= end) {
+                return true;
+            }
             let [at_start, at_end] = self.goes_on[i];
-            at_start && intervals[i].start() <= domains[i].start()
-                || at_end && domains[i].end() <= intervals[i].end()
+            at_start && start <= domains[i].start() || at_end && domains[i].end() <= end
         })
     }
 }
