@@ -396,7 +396,7 @@ def gltf():
 def dxf(ours):
     import ezdxf
 
-    for file in ["wires.dxf", "solids.dxf"]:
+    for file in ["wires.dxf", "solids.dxf", "round.dxf"]:
         document = ezdxf.readfile(OUT / file)
         auditor = document.audit()
         problems = [str(error.message) for error in auditor.errors + auditor.fixes]
@@ -405,26 +405,57 @@ def dxf(ours):
         tell(file, "ezdxf", f"audit: {len(problems)} problems", not problems)
     document = ezdxf.readfile(OUT / "wires.dxf")
     tell("wires.dxf", "ezdxf", f"unit {document.units} (cm)", document.units == 5)
-    worst, n = 0.0, 0
-    named = {}
-    for entity in document.modelspace():
-        if entity.dxftype() in ("SPLINE", "LINE", "POLYLINE", "CIRCLE", "ARC", "LWPOLYLINE"):
-            named[entity.get_xdata("VIROTE")[0].value if entity.has_xdata("VIROTE") else "?"] = entity
-    values = json.loads((OUT / "wires.json").read_text())["values"]
-    for name, data in values.items():
-        if not isinstance(data, dict) or data.get("virote") != "curve" or name not in named:
-            continue
-        mine, entity = Curve(data), named[name]
-        if entity.dxftype() == "SPLINE":
-            spline = entity.construction_tool()
-            a, b = spline.knots()[spline.degree], spline.knots()[-spline.degree - 1]
-            for s in PLACES:
-                p = spline.point(a + s * (b - a))
-                worst = max(worst, np.linalg.norm(np.array([p.x, p.y, p.z]) - mine.at(s)))
-        n += 1
-    tell("wires.dxf", "ezdxf", f"{n} named curves, splines within {worst:.1e}", n >= 12 and worst < 1e-9)
+    for file, least in [("wires", 12), ("round", 6)]:
+        document = ezdxf.readfile(OUT / f"{file}.dxf")
+        named = {}
+        for entity in document.modelspace():
+            if entity.dxftype() in ("SPLINE", "LINE", "POLYLINE", "CIRCLE", "ARC", "LWPOLYLINE"):
+                named[entity.get_xdata("VIROTE")[0].value if entity.has_xdata("VIROTE") else "?"] = entity
+        worst, worst_round, n, n_round = 0.0, 0.0, 0, 0
+        for name, data in json.loads((OUT / f"{file}.json").read_text())["values"].items():
+            if not isinstance(data, dict) or data.get("virote") != "curve" or name not in named:
+                continue
+            mine, entity = Curve(data), named[name]
+            if entity.dxftype() == "SPLINE":
+                spline = entity.construction_tool()
+                a, b = spline.knots()[spline.degree], spline.knots()[-spline.degree - 1]
+                for s in PLACES:
+                    p = spline.point(a + s * (b - a))
+                    worst = max(worst, np.linalg.norm(np.array([p.x, p.y, p.z]) - mine.at(s)))
+            elif entity.dxftype() in ("CIRCLE", "ARC", "LWPOLYLINE"):
+                # Each place of ours on theirs, and each of theirs on ours, both as chains of short chords.
+                parts = [entity] if entity.dxftype() != "LWPOLYLINE" else list(entity.virtual_entities())
+                theirs = np.array([place for part in parts for place in chords(part)])
+                mine = np.array([mine.at(s) for s in np.linspace(0, 1, 2001)])
+                gaps = [beside(p, theirs) for p in mine[::50]] + [beside(p, mine) for p in theirs[::7]]
+                worst_round = max(worst_round, *gaps)
+                n_round += 1
+            n += 1
+        tell(f"{file}.dxf", "ezdxf", f"{n} named curves, splines within {worst:.1e}", n >= least and worst < 1e-9)
+        told = f"{n_round} circles, arcs and paths of both within {worst_round:.1e}"
+        tell(f"{file}.dxf", "ezdxf", told, n_round >= least // 6 and worst_round < 4 * CHORD)
+    document = ezdxf.readfile(OUT / "wires.dxf")
     layers = {layer.dxf.name for layer in document.layers}
     tell("wires.dxf", "ezdxf", "layers", {"lines", "round", "marks"} <= layers)
+
+
+# How far chords of a DXF's arcs may lie off them.
+CHORD = 1e-5
+
+
+def chords(entity):
+    """Places of a line, an arc or a circle, whose chords are near it."""
+    if entity.dxftype() == "LINE":
+        return [list(entity.dxf.start), list(entity.dxf.end)]
+    return [[p.x, p.y, p.z] for p in entity.flattening(CHORD)]
+
+
+def beside(point, chain):
+    """The distance of a point from a chain of chords."""
+    start, along = chain[:-1], np.diff(chain, axis=0)
+    length = np.maximum((along * along).sum(axis=1), 1e-300)
+    share = np.clip(((point - start) * along).sum(axis=1) / length, 0, 1)
+    return np.linalg.norm(start + share[:, None] * along - point, axis=1).min()
 
 
 def svg(ours):
