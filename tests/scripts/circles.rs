@@ -8,8 +8,8 @@ use std::{
 
 use super::tidy::{strip, visit};
 
-/// Both packages.
-const ROOTS: [&str; 2] = ["src", "src/kernel"];
+/// The packages: a file belongs to the longest root.
+const ROOTS: [&str; 3] = ["src", "src/kernel", "src/language"];
 
 /// The rules of the grammar, which call one another as what they read holds one another: an expression
 /// a block, a block statements, a statement expressions. They count as one file.
@@ -22,7 +22,11 @@ type Module = Vec<String>;
 fn imports(root: &str) -> BTreeMap<Module, BTreeSet<Module>> {
     let mut paths = Vec::new();
     visit(Path::new(root), &mut paths);
-    let is_own = |path: &String| path.starts_with("src/kernel/") == (root == "src/kernel");
+    let home = |path: &str| {
+        let roots = ROOTS.into_iter().filter(|root| path.starts_with(&format!("{root}/")));
+        roots.max_by_key(|root| root.len())
+    };
+    let is_own = |path: &String| home(path) == Some(root);
     let modules: BTreeMap<Module, String> =
         paths.into_iter().filter(is_own).map(|path| (module(&path, root), path)).collect();
     let imported = |own: &Module, path: &str| {

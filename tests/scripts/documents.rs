@@ -10,7 +10,7 @@ const DOCUMENTS: &[&str] = &["ARCHITECTURE.md", "CONTRIBUTING.md"];
 
 /// Where a path may begin.
 const ROOTS: &[&str] =
-    &["", "src/", "src/kernel/", "src/kernel/curve/", "tests/", "python/", "web/"];
+    &["", "src/", "src/kernel/", "src/kernel/curve/", "src/language/", "tests/", "python/", "web/"];
 
 /// Folders with sources.
 const SOURCES: &[&str] = &["src", "tests", "examples", "benches", "python", "web"];

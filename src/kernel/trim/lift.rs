@@ -25,6 +25,8 @@ struct LiftedArc {
     arc: NurbsCurve,
     /// Where between creases of the surface it lies, by u and v.
     cell: [Interval; 2],
+    /// The last bit of the plane.
+    rounding: f64,
 }
 
 impl CurveFunction for LiftedArc {
@@ -44,6 +46,10 @@ impl CurveFunction for LiftedArc {
         let point = lift().map_err(FunctionFailure::new)?;
         let of_order = |k| DVec3::from(point.each_ref().map(|jet| jet.derivative(k, 0)));
         Ok((0..=order).map(of_order).collect())
+    }
+
+    fn rounding(&self) -> f64 {
+        self.rounding
     }
 }
 
@@ -88,11 +94,13 @@ impl Face {
             }
         }
         places.sort_by(f64::total_cmp);
+        let rounding = self.plane.last_bit();
         let lifted = |part: NurbsCurve| {
             let function = LiftedArc {
                 surface: Arc::clone(&self.plane.surface),
                 cell: self.cell_of(&part, distance),
                 arc: part.clone(),
+                rounding,
             };
             let curve = ParametricCurve::new(part.domain(), Arc::new(function))?;
             Ok((part, curve.into()))

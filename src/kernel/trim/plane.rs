@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use crate::{Bounds, Direction, GeomError, Interval, NurbsCurve, NurbsSurface, frame::norm};
+use crate::{
+    Bounds, Direction, GeomError, Interval, NurbsCurve, NurbsSurface, frame::norm,
+    tolerance::LAST_BIT,
+};
 
 /// Even parts of each span at whose ends first derivatives are looked at.
 const PARTS: usize = 3;
@@ -53,6 +56,16 @@ impl ParameterPlane {
         let is_closed = [surface.is_closed_u(tolerance), surface.is_closed_v(tolerance)];
         let creases = Arc::new(Direction::BOTH.map(|along| surface.creases(along)));
         Self { surface, scales, is_closed, creases }
+    }
+
+    /// The last bit of the surface's size, and of its coordinates and parameters, which may be far larger:
+    /// parameters far from 0 for their width have fewer digits than places.
+    pub(super) fn last_bit(&self) -> f64 {
+        let bounds = self.surface.bounds();
+        let widths_from_zero =
+            |domain: Interval| domain.start().abs().max(domain.end().abs()) / domain.length();
+        let [u, v] = self.domains().map(widths_from_zero);
+        LAST_BIT * (bounds.diagonal() * u.max(v).max(1.0)).max(bounds.magnitude())
     }
 
     pub(crate) fn domains(&self) -> [Interval; 2] {

@@ -16,9 +16,7 @@ use crate::{
     curve::join_pieces,
     frame::norm,
     lagrange,
-    tolerance::{
-        LAST_BIT, PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, SLOWEST_SHARE, STRAIGHT_REACH,
-    },
+    tolerance::{PARAMETER_RELATIVE, PULL_RELATIVE, PULL_SHARE, SLOWEST_SHARE, STRAIGHT_REACH},
 };
 
 /// The degree of pieces.
@@ -67,7 +65,7 @@ pub(super) struct PulledCurve<'a> {
     pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
-    /// The last bit of the surface's size, and of its coordinates and parameters, which may be far larger.
+    /// That of the plane.
     last_bit: f64,
     parameters: ArcParameters,
 }
@@ -85,13 +83,7 @@ pub(super) fn arcs_on_surface(
     [tolerance, angle]: [f64; 2],
     parameters: ArcParameters,
 ) -> Result<Vec<NurbsCurve>, GeomError> {
-    let bounds = plane.surface.bounds();
-    let size = bounds.diagonal();
-    // Parameters far from 0 for their width have fewer digits than places.
-    let widths_from_zero =
-        |domain: Interval| domain.start().abs().max(domain.end().abs()) / domain.length();
-    let [u, v] = plane.domains().map(widths_from_zero);
-    let last_bit = LAST_BIT * (size * u.max(v).max(1.0)).max(bounds.magnitude());
+    let (size, last_bit) = (plane.surface.bounds().diagonal(), plane.last_bit());
     let accuracy = (PULL_RELATIVE * size).max(PIECE_BITS * last_bit).min(PULL_SHARE * tolerance);
     let mut arcs = Vec::new();
     for part in curve.smooth_parts(angle)? {

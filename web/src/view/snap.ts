@@ -13,6 +13,8 @@ const REACH = 10;
 const PREFERENCE = 2;
 /** How far in front of a vertex, in pixels, its own mesh does not hide it. */
 const BEFORE = 0.5;
+/** Triangles within reach beyond which a mesh is seen too small for one of its vertices to be meant. */
+const TRIANGLES = 16384;
 
 interface Lure extends Place {
   name: string;
@@ -79,15 +81,20 @@ function* lures(drawn: DrawnItem, rig: Rig, ray: Ray): Iterable<Lure> {
   }
 }
 
-/** The corners of the triangles of a mesh that may come within reach of the ray. */
+/** The corners of the triangles of a mesh that may come within reach of the ray; none where these are too many. */
 function verticesNear({ shape }: DrawnItem, rig: Rig, ray: Ray): Set<number> {
   const found = new Set<number>();
   const { triangles, center } = shape.buffers;
   const middle = new Vector3(...center);
+  let n = 0;
   const isClose = (box: Box3): boolean => isNear(box.min.clone().add(middle), box.max.clone().add(middle), rig, ray);
   shape.bvh?.shapecast({
     intersectsBounds: isClose,
     intersectsTriangle: (_, i) => {
+      if (++n > TRIANGLES) {
+        found.clear();
+        return true;
+      }
       for (const corner of triangles!.subarray(3 * i, 3 * i + 3)) found.add(corner);
     },
   });

@@ -81,7 +81,7 @@ impl ParametricCurve {
         let bounds = Bounds::of(self.probes().iter().copied());
         let (size, magnitude) =
             bounds.map_or((0.0, 0.0), |bounds| (bounds.diagonal(), bounds.magnitude()));
-        let rounding = COARSER * LAST_BIT * magnitude;
+        let rounding = COARSER * (LAST_BIT * magnitude).max(self.rounding());
         let most = SINGULAR_RELATIVE * size + rounding;
         let mut allowed = STAND_IN_RELATIVE * size + rounding;
         loop {

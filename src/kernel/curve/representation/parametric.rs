@@ -52,6 +52,11 @@ pub trait CurveFunction: fmt::Debug + Send + Sync {
     /// # Errors
     /// Where the function has no such value, in words of its own.
     fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure>;
+
+    /// How far points may be off by rounding, beyond the last bits of their coordinates.
+    fn rounding(&self) -> f64 {
+        0.0
+    }
 }
 
 /// A curve of a function. Cheap to clone.
@@ -163,6 +168,12 @@ impl ParametricCurve {
     #[must_use]
     pub fn function(&self) -> &Arc<dyn CurveFunction> {
         &self.function
+    }
+
+    /// How far points may be off by the function's own rounding.
+    pub(in crate::curve) fn rounding(&self) -> f64 {
+        let columns = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| norm(self.map.matrix3 * axis));
+        self.function.rounding() * columns.into_iter().fold(0.0, f64::max)
     }
 
     /// The point at the start of the domain.

@@ -1,0 +1,399 @@
+//! The declaration of an operation: name, parameters, documentation, implementation.
+
+use std::sync::Arc;
+
+use super::{
+    Call, Callback, Example, ExamplePicture, Files, OnNumbers, RefusalExample, Settling, Switch,
+    Type, Value, Witness,
+};
+use crate::{
+    diag::{Diagnostic, Result, Sources, Span},
+    kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
+    limits::Limits,
+};
+
+/// What an operation may consult besides its arguments.
+pub struct Ctx<'a> {
+    /// The document's tolerance.
+    pub tolerance: Tolerance,
+    /// The document's unit of length, by name.
+    pub unit: &'static str,
+    /// The ceilings of the run.
+    pub limits: &'a Limits,
+    /// How many threads may work on the call; its result does not depend on it.
+    pub n_threads: usize,
+    /// Reads files that the script names.
+    pub files: &'a dyn Files,
+    /// The call under way, from the function's name to the closing bracket.
+    pub span: Span,
+    /// The texts that spans point into, if they are at hand.
+    pub sources: Option<&'a Sources>,
+    /// Calls functions of the script and takes warnings.
+    pub caller: &'a mut dyn Caller,
+}
+
+impl std::fmt::Debug for Ctx<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Ctx").field("span", &self.span).finish_non_exhaustive()
+    }
+}
+
+impl Ctx<'_> {
+    /// Calls a function that was given as an argument. A list that nobody else has may grow in it.
+    ///
+    /// # Errors
+    /// Whatever goes wrong inside it.
+    pub fn call(&mut self, function: &Callback, args: impl Into<Vec<Value>>) -> Result<Value> {
+        self.caller.call(&function.0, args.into(), self.span)
+    }
+
+    /// Tells what decided a test of the elements of a list.
+    pub fn decided(&mut self, witness: Witness) {
+        self.caller.decided(self.span, witness);
+    }
+
+    /// Tells the user that the result needed help.
+    pub fn warn(&mut self, warning: Diagnostic) {
+        self.caller.warn(warning);
+    }
+}
+
+/// Bounds of a function of one number from those of the number; none where it has no value or no derivative,
+/// or may have none.
+pub type EnclosedFunction = fn(&Enclosure) -> Option<Enclosure>;
+
+/// A function of one number whose bounds over an interval can be computed.
+pub trait Bounded: std::fmt::Debug {
+    /// Bounds of its values and slopes, as for [`EnclosedFunction`].
+    fn over(&self, interval: [f64; 2]) -> Option<Enclosure>;
+}
+
+/// How the sides of a comparison have to stand to one another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Relation {
+    /// Their difference is to be zero.
+    Equal,
+    /// Their difference is not to be negative.
+    NotNegative,
+}
+
+/// A comparison that a function of the script makes.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// What makes it hold.
+    pub relation: Relation,
+    /// The difference of both sides.
+    pub difference: Value,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// What the evaluator does for operations.
+pub trait Caller {
+    /// Calls `function` with positional arguments; `span` is blamed when it cannot be called.
+    ///
+    /// # Errors
+    /// Whatever goes wrong inside it.
+    fn call(&mut self, function: &Value, args: Vec<Value>, span: Span) -> Result<Value>;
+
+    /// What a function of the script compares when it is called with these arguments.
+    ///
+    /// # Errors
+    /// A function whose value is no comparison, and whatever goes wrong inside it.
+    fn comparisons(
+        &mut self,
+        function: &Value,
+        args: &[Value],
+        span: Span,
+    ) -> Result<Vec<Comparison>>;
+
+    /// A function of the script of which bounds over intervals can be computed; none where it does what tells
+    /// no bounds.
+    fn bounded(&self, function: &Value) -> Option<Box<dyn Bounded>>;
+
+    /// Whether a function took something that carries derivatives from around it.
+    fn is_varying(&self, function: &Value) -> bool;
+
+    /// A function of the script as that of a curve; `span` is the call that makes the curve.
+    ///
+    /// # Errors
+    /// Where it uses a parameter of a function that is differentiated.
+    fn curve_function(&self, function: &Value, span: Span) -> Result<Arc<dyn CurveFunction>>;
+
+    /// A function of the script as that of a surface.
+    ///
+    /// # Errors
+    /// As for [`Self::curve_function`].
+    fn surface_function(&self, function: &Value, span: Span) -> Result<Arc<dyn SurfaceFunction>>;
+
+    /// Takes what decided a test of the elements of a list, by the call at `span`.
+    fn decided(&mut self, span: Span, witness: Witness);
+
+    /// Begins to note what decides which way functions go of what carries derivatives, or ends it with `None`; what
+    /// was noted before.
+    fn note_switches(&mut self, noted: Option<Vec<Switch>>) -> Option<Vec<Switch>>;
+
+    /// Takes a warning.
+    fn warn(&mut self, warning: Diagnostic);
+
+    /// How many warnings it has taken.
+    fn n_warnings(&self) -> usize;
+
+    /// Forgets all warnings but the first so many.
+    fn keep_warnings(&mut self, n: usize);
+}
+
+/// Chapter of the reference in which an operation is listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Family {
+    /// Curves.
+    Curve,
+    /// Surfaces.
+    Surface,
+    /// Curves and surfaces made of others.
+    Edit,
+    /// Transformations of anything geometric.
+    Transform,
+    /// Regions.
+    Region,
+    /// Parts of surfaces.
+    Face,
+    /// Solids.
+    Solid,
+    /// Questions about geometry.
+    Measure,
+    /// Meshes and files.
+    Mesh,
+    /// Tables.
+    Table,
+    /// Numbers.
+    Math,
+    /// Points and vectors.
+    Vector,
+    /// Lists.
+    List,
+    /// Text, and whatever steers evaluation.
+    Text,
+}
+
+impl Family {
+    /// Every family with its heading, in the order of the reference.
+    pub const ALL: &'static [(Self, &'static str)] = &[
+        (Self::Curve, "Curves"),
+        (Self::Surface, "Surfaces"),
+        (Self::Edit, "Edits"),
+        (Self::Transform, "Transformations"),
+        (Self::Region, "Regions"),
+        (Self::Face, "Parts of surfaces"),
+        (Self::Solid, "Solids"),
+        (Self::Measure, "Questions about geometry"),
+        (Self::Mesh, "Meshes and files"),
+        (Self::Table, "Tables"),
+        (Self::Math, "Numbers"),
+        (Self::Vector, "Points and vectors"),
+        (Self::List, "Lists"),
+        (Self::Text, "Text"),
+    ];
+}
+
+/// One parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct OpParameter {
+    /// Its label.
+    pub name: &'static str,
+    /// What it means.
+    pub docs: &'static str,
+    /// Its type.
+    pub ty: Type,
+    /// Value when left out; `None` for a required or an optional parameter.
+    pub default: Option<fn() -> Value>,
+    /// Whether it may be left out although it has no default.
+    pub optional: bool,
+    /// Whether its elements may stand as the arguments themselves.
+    pub spreads: bool,
+    /// Whether it may stand by position although it may be left out.
+    pub by_position: bool,
+}
+
+impl OpParameter {
+    /// Whether a call may leave it out; most such parameters are given by name only.
+    #[must_use]
+    pub fn may_be_left_out(&self) -> bool {
+        self.optional || self.default.is_some()
+    }
+
+    /// How it is declared: `radius: Number`, with its default where it may be left out.
+    #[must_use]
+    pub fn signature(&self) -> String {
+        match self.default {
+            Some(default) => format!("{}: {} = {}", self.name, self.ty, default()),
+            None if self.optional => format!("{}: {} = none", self.name, self.ty),
+            None => format!("{}: {}", self.name, self.ty),
+        }
+    }
+}
+
+/// A built-in operation, as every reader of the registry sees it.
+#[derive(Debug)]
+pub struct Op {
+    /// What scripts call it.
+    pub name: &'static str,
+    /// Other names for it.
+    pub aliases: &'static [&'static str],
+    /// Its chapter.
+    pub family: Family,
+    /// What it does: a sentence, then the rest, last the source.
+    pub docs: &'static str,
+    /// Its parameters.
+    pub params: &'static [OpParameter],
+    /// What it yields.
+    pub returns: Type,
+    /// Tested samples of use.
+    pub examples: &'static [Example],
+    /// Tested samples of misuse.
+    pub refusals: &'static [RefusalExample],
+    /// Bounds of its values, of a function of one number that tells them.
+    pub enclosed: Option<EnclosedFunction>,
+    /// What it does to plain numbers, of an operation on these alone.
+    pub on_numbers: Option<OnNumbers>,
+    /// Whether its result is affine in what it is made of, or bends by the product of two of them, so that
+    /// derivatives pass through it: see [`through_affine`](super::through_affine).
+    pub is_affine: bool,
+    /// Whether all that it answers depends on the shape of curves and surfaces alone, not on the knots and control
+    /// points that these have, so that derivatives pass through it where knots move too.
+    pub is_of_shape: bool,
+    /// Whether its answer's control points are the points of its first parameter, in their order and with weights of
+    /// their own, so that they have the same slopes: see [`with_slopes_of_points`](super::with_slopes_of_points).
+    pub has_given_control_points: bool,
+    /// Of which calls it finds the derivatives itself, as one that takes a `Real` does.
+    pub derives_itself: Option<fn(&Call) -> bool>,
+    /// What it finds by a rule, and how that moves.
+    pub settling: Option<&'static Settling>,
+    /// What its picture in the reference shows, where that is more than its first example.
+    pub picture: Option<ExamplePicture>,
+    /// Whether its argument names a script, whose parameters are the other arguments: the files of a script
+    /// are found before anything is evaluated, so that a call is no call of `run`.
+    pub names_script: bool,
+    /// Its implementation.
+    pub run: fn(&mut Ctx<'_>, Call) -> Result<Value>,
+}
+
+impl Op {
+    /// First paragraph of the documentation, as it stands in the source.
+    #[must_use]
+    pub fn summary(&self) -> &'static str {
+        self.docs.split("\n\n").next().unwrap_or_default().trim()
+    }
+
+    /// Whether its first argument can neither be such a value nor a list of such.
+    #[must_use]
+    pub fn is_foreign_to(&self, value: &Value) -> bool {
+        let takes = |param: &OpParameter| param.ty.accepts(value) || param.ty.is_list_of(value);
+        self.params.first().is_some_and(|param| !takes(param))
+    }
+
+    /// `name(a: T, b: U = d) -> R`, one line.
+    #[must_use]
+    pub fn signature(&self) -> String {
+        let mut params: Vec<String> = self.params.iter().map(OpParameter::signature).collect();
+        if self.names_script {
+            params.push("PARAM = value, ...".to_owned());
+        }
+        format!("{}({}) -> {}", self.name, params.join(", "), self.returns)
+    }
+}
+
+/// Declares an operation: this block is its only declaration.
+///
+/// Expands to a `struct Args` with one field a parameter and to `static OP: Op`, which the
+/// family's list names. The file then defines `fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<R>`.
+macro_rules! op {
+    (
+        $(#[doc = $docs:literal])+
+        $name:ident $(| $alias:ident)* in $family:ident -> $returns:ty {
+            $( $(#[doc = $pdocs:literal])+ $param:ident : $ty:ty $(= $default:expr)? ,)*
+        }
+        $( example $code:literal => $prints:literal; )+
+        $( refuses $misuse:literal => $says:literal; )*
+        $( encloses $enclosed:path; )?
+        $( on_numbers $numbers:expr; )?
+        $( derivative $affine:ident $( unless $own:path )?; )?
+        $( settling $settling:path; )?
+        $( picture $picture:literal; )?
+        $( scene $scene:literal; )?
+        $( names $named:literal; )?
+    ) => {
+        struct Args { $( $param: $ty, )* }
+
+        pub(in $crate::ops) static OP: $crate::value::Op = $crate::value::Op {
+            name: stringify!($name),
+            aliases: &[ $( stringify!($alias) ),* ],
+            family: $crate::value::Family::$family,
+            docs: concat!($($docs, "\n"),+),
+            params: &[ $( $crate::value::OpParameter {
+                name: stringify!($param),
+                docs: concat!($($pdocs, "\n"),+),
+                ty: <$ty as $crate::value::FromValue>::TYPE,
+                default: $crate::value::op!(@thunk $ty $(, $default)?),
+                optional: <$ty as $crate::value::FromValue>::OPTIONAL,
+                spreads: <$ty as $crate::value::FromValue>::SPREADS,
+                by_position: <$ty as $crate::value::FromValue>::BY_POSITION,
+            } ),* ],
+            returns: <$returns as $crate::value::IntoValue>::RETURNS,
+            examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
+            refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
+            enclosed: $crate::value::op!(@enclosed $($enclosed)?),
+            on_numbers: $crate::value::op!(@value $($numbers)?),
+            is_affine: $crate::value::op!(@is_affine $($affine)?),
+            is_of_shape: $crate::value::op!(@is_of_shape $($affine)?),
+            has_given_control_points: $crate::value::op!(@has_given_control_points $($affine)?),
+            derives_itself: $crate::value::op!(@derives_itself $( $($own)? )?),
+            settling: $crate::value::op!(@settling $($settling)?),
+            picture: $crate::value::op!(@picture $(Value $picture)? $(Scene $scene)?),
+            names_script: $crate::value::op!(@names_script $($named)?),
+            run: |ctx, call| {
+                let mut binder = $crate::value::Binder::new(
+                    &OP, call, ctx.limits.list_length, (ctx.sources, ctx.unit),
+                );
+                $( let $param: Option<$ty> =
+                    binder.take(stringify!($param), $crate::value::op!(@value $($default)?)); )*
+                match ($($param,)*) {
+                    ($(Some($param),)*) if binder.is_well() => {
+                        run(ctx, Args { $($param),* }).map($crate::value::IntoValue::into_value)
+                    }
+                    _ => Err(binder.complaint()),
+                }
+            },
+        };
+    };
+    (@thunk $ty:ty) => { None };
+    (@thunk $ty:ty, $default:expr) => { Some(|| {
+        let default: $ty = $default;
+        $crate::value::IntoValue::into_value(default)
+    }) };
+    (@enclosed) => { None };
+    (@enclosed $enclosed:path) => { Some($enclosed) };
+    (@is_affine) => { false };
+    (@is_affine affine) => { true };
+    (@is_affine control_points) => { true };
+    (@is_affine shape) => { true };
+    (@is_of_shape) => { false };
+    (@is_of_shape affine) => { false };
+    (@is_of_shape control_points) => { false };
+    (@is_of_shape shape) => { true };
+    (@has_given_control_points) => { false };
+    (@has_given_control_points affine) => { false };
+    (@has_given_control_points control_points) => { true };
+    (@has_given_control_points shape) => { false };
+    (@derives_itself) => { None };
+    (@derives_itself $own:path) => { Some($own) };
+    (@settling) => { None };
+    (@settling $settling:path) => { Some(&$settling) };
+    (@picture) => { None };
+    (@picture $kind:ident $picture:literal) => { Some($crate::value::ExamplePicture::$kind($picture)) };
+    (@names_script) => { false };
+    (@names_script $named:literal) => { true };
+    (@value) => { None };
+    (@value $default:expr) => { Some($default) };
+}
+pub(crate) use op;
