@@ -6,8 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    CircleForm, Cutter, Direction, Face, FaceError, Frame, GeomError, Grid, Interval, KnotVector,
-    NurbsCurve, NurbsSurface, Region, RegionSide, TessellationOptions, Tolerance,
+    Bounds, CircleForm, Cutter, Direction, Face, FaceError, Frame, GeomError, Grid, Interval,
+    KnotVector, NurbsCurve, NurbsSurface, Region, RegionSide, TessellationOptions, Tolerance,
     glam::{DAffine3, DVec3},
     work,
 };
@@ -301,18 +301,26 @@ fn parts_of_a_surface_are_the_same_wherever_its_parameters_lie() {
     let surface = NurbsSurface::polynomial(by_u, by_v, &Grid::from_rows(rows).unwrap()).unwrap();
     let plane = Frame::XY.at(DVec3::Z * 0.1);
     let split = |surface: NurbsSurface| {
-        areas(&whole(surface).split(&[Cutter::Plane(plane)], TOLERANCE).unwrap())
+        let parts = whole(surface).split(&[Cutter::Plane(plane)], TOLERANCE).unwrap();
+        let before = work::counted();
+        let boxes: Vec<Bounds> = parts.iter().map(|part| part.bounds(TOLERANCE).unwrap()).collect();
+        (areas(&parts), boxes, work::counted() - before)
     };
-    let expected = split(surface.clone());
-    assert_eq!(expected.len(), 7);
+    let (areas, boxes, steps) = split(surface.clone());
+    assert_eq!(areas.len(), 7);
     for start in [200.0, -2e4] {
         let domain = Interval::new(start, start + 1.0).unwrap();
-        let found = split(surface.reparametrized(Direction::U, domain));
+        let (found, found_boxes, found_steps) = split(surface.reparametrized(Direction::U, domain));
         assert_eq!(found.len(), 7, "{start}");
-        for (found, expected) in found.iter().zip(&expected) {
+        for (found, expected) in found.iter().zip(&areas) {
             // A tolerance along the borders.
             assert!((found - expected).abs() < 1e-5, "{start}: {found} for {expected}");
         }
+        for (found, expected) in found_boxes.iter().zip(&boxes) {
+            let off = (found.min - expected.min).abs().max((found.max - expected.max).abs());
+            assert!(off.max_element() < 2.0 * TOLERANCE.distance, "{start}: {off}");
+        }
+        assert!(found_steps < 4 * steps, "{start}: {found_steps} steps, {steps} from 0 to 1");
     }
 }
 

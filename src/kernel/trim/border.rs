@@ -9,12 +9,11 @@ use super::{
     lift::{is_point, joined_spline, spline},
 };
 use crate::{
-    Bounds, Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance, bezier,
+    Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance,
     curve::join_chain,
     find_integral,
     frame::{angle_between, norm},
-    homogeneous::place,
-    tolerance::{EDGE_SHARE, QUADRATURE_RELATIVE},
+    tolerance::QUADRATURE_RELATIVE,
 };
 
 /// The border of a face at a tolerance, once it was asked for. It is known by what it is of: all of them are equal,
@@ -38,7 +37,7 @@ impl PartialEq for KnownBorder {
 #[derive(Clone, Debug)]
 pub(super) struct BorderArc {
     pub(super) in_plane: NurbsCurve,
-    curve: Curve,
+    pub(super) curve: Curve,
     /// Which loop of which part it belongs to.
     at: [usize; 2],
 }
@@ -147,47 +146,6 @@ impl Face {
             }
         };
         arcs.iter().map(length).sum()
-    }
-
-    /// The box of its border; none without one.
-    ///
-    /// The extrema of lifted arcs are looked for only where control points of the spline near them come
-    /// out of the box of what is known.
-    pub(super) fn border_bounds(&self, distance: f64) -> Result<Option<Bounds>, GeomError> {
-        let (mut whole, mut parts): (Option<Bounds>, _) = (None, Vec::new());
-        for arc in self.border_arcs(distance)?.iter() {
-            let mut known = Bounds::of([arc.curve.start(), arc.curve.end()]);
-            match &arc.curve {
-                Curve::Nurbs(curve) => known = Some(curve.bounds()),
-                Curve::Parametric(function) => {
-                    let near = spline(&arc.curve, distance)?;
-                    for span in near.knots().spans() {
-                        let interval = near.knots().span_interval(span);
-                        let piece = bezier::piece(near.knots(), near.control_points(), span);
-                        let hull = Bounds::of(piece.into_iter().map(place));
-                        let end = function.point_at(interval.end())?;
-                        known = known.map(|known| known.with(end));
-                        parts.extend(hull.map(|hull| (hull, interval, Arc::clone(function))));
-                    }
-                }
-            }
-            whole = whole.into_iter().chain(known).reduce(Bounds::union);
-        }
-        for (hull, interval, function) in parts {
-            let reach = DVec3::splat(EDGE_SHARE * distance);
-            let hull = Bounds { min: hull.min - reach, max: hull.max + reach };
-            let comes_out =
-                |known: &Bounds| hull.min.cmplt(known.min).any() || known.max.cmplt(hull.max).any();
-            if whole.as_ref().is_none_or(comes_out) {
-                let part = Curve::from(function.trimmed(interval)?);
-                let bounds = match part.bounds() {
-                    Ok(bounds) => bounds,
-                    Err(_) => spline(&part, distance)?.bounds(),
-                };
-                whole = Some(whole.map_or(bounds, |whole| whole.union(bounds)));
-            }
-        }
-        Ok(whole)
     }
 
     /// Whether a place of the surface is on the border, of which seams that the face goes over are none.

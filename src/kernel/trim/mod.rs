@@ -16,6 +16,7 @@
 mod arc_of_parameters;
 mod beside;
 mod border;
+mod border_bounds;
 mod border_edge;
 mod bounded;
 mod clip;
