@@ -79,7 +79,9 @@ export class App {
         diagnosticsPanel(doc),
       ),
     );
-    host.append(toolbar.root, el("div", { class: "work" }, left, this.view, right), this.help);
+    const work = el("div", { class: "work" }, left, this.view, right);
+    host.append(toolbar.root, work, this.help);
+    new ResizeObserver(() => settings.suit(work.clientWidth)).observe(work);
     this.unveil(left, right);
     settings.watch(({ leftPanel, rightPanel }) => {
       left.hidden = !leftPanel;
