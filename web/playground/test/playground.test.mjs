@@ -358,6 +358,22 @@ run("an interpreter that cannot be loaded is told of", async () => {
   await other.close();
 });
 
+run("a window that becomes small shows script and model, uncovered, and both panels again when it is large", async () => {
+  const shown = () => page.evaluate(() => ({
+    isWithin: document.documentElement.scrollWidth <= innerWidth,
+    boxes: [".cm-editor", ".canvas"].map((name) => document.querySelector(name).getBoundingClientRect()).map(({ width, height }) => width > 250 && height > 150),
+    panels: [...document.querySelectorAll(".panel")].map((panel) => !panel.hidden),
+  }));
+  const before = (await shown()).panels;
+  for (const [width, height] of [[800, 600], [480, 800], [360, 640]]) {
+    await page.setViewport({ width, height });
+    await until(page, () => [...document.querySelectorAll(".panel")].every((panel) => panel.hidden));
+    assert.deepEqual(await shown(), { isWithin: true, boxes: [true, true], panels: [false, false] }, `at ${width}`);
+  }
+  await page.setViewport({ width: 1440, height: 860 });
+  await until(page, (wanted) => [...document.querySelectorAll(".panel")].every((panel, i) => !panel.hidden === wanted[i]), before);
+});
+
 run("the border moves by keys, and the theme turns both sides", async () => {
   const width = () => page.$eval(".editor", (element) => element.getBoundingClientRect().width);
   const before = await width();
