@@ -335,6 +335,15 @@ run("an example with its data opens from the gallery", async () => {
   await settled();
   assert.equal((await face()).name, "teapot.geo");
   assert.ok(await page.evaluate(() => window.virote.isCurrent && window.virote.items.length > 0));
+  // The camera goes to each: the road is as many metres long as the teapot millimetres.
+  const { height } = await page.evaluate(() => window.virote.camera);
+  await page.click('[data-do="examples"]');
+  await page.click('[data-example="road.geo"]');
+  await settled();
+  assert.ok((await page.evaluate(() => window.virote.camera)).height > height, "it has gone back");
+  const [x] = await page.evaluate(() => window.virote.pixel(window.virote.camera.target));
+  const { left, right } = await page.$eval(".canvas", (canvas) => canvas.getBoundingClientRect().toJSON());
+  assert.ok(left < x && x < right);
   await page.goto(`${served.url}#example=circles.geo`);
   await until(page, () => window.playground?.name === "circles.geo");
   await settled();
