@@ -28,7 +28,47 @@
     (unless (funcall holds) (error "%s: %S" what (buffer-string)))
     (message "ok: %s" what)))
 
+(defun virote-test-face (text)
+  "The face of the first TEXT of the buffer."
+  (goto-char (point-min))
+  (search-forward text)
+  (get-text-property (match-beginning 0) 'face))
+
+(defun virote-test-keywords ()
+  "The words that the grammar for editors colours as keywords."
+  (with-temp-buffer
+    (insert-file-contents (expand-file-name "../../grammar/tree-sitter-virote/queries/highlights.scm" (file-name-directory load-file-name)))
+    (let ((words nil))
+      (while (re-search-forward "\\(?:\\[[^]]*\\]\\|\"[a-z]+\"\\) @keyword" nil t)
+        (let ((group (match-string 0)) (start 0))
+          (while (string-match "\"\\([a-z]+\\)\"" group start)
+            (push (match-string 1 group) words)
+            (setq start (match-end 0)))))
+      words)))
+
+(defun virote-test-colours ()
+  "What is coloured, and as what."
+  (with-temp-buffer
+    (insert "/// How wide.\nlet total = 3mm // wide\ncurve keel: curve = f(\"let a\")\nfn twice(x) = 2 * x\nprint true\n/* let */\n")
+    (virote-mode)
+    (font-lock-ensure)
+    (pcase-dolist (`(,text ,face)
+                   '(("/// How" font-lock-comment-delimiter-face) ("How wide" font-lock-comment-face) ("let total" font-lock-keyword-face)
+                     ("total" font-lock-variable-name-face) ("3mm" nil) ("curve keel" font-lock-type-face)
+                     ("keel" font-lock-variable-name-face) ("\"let a" font-lock-string-face) ("let a" font-lock-string-face)
+                     ("twice" font-lock-function-name-face) ("true" font-lock-constant-face) ("let */" font-lock-comment-face)))
+      (unless (eq (virote-test-face text) face) (error "`%s' has %s, not %s" text (virote-test-face text) face)))
+    (let ((words (virote-test-keywords)))
+      (unless (< 20 (length words)) (error "the grammar has few words: %s" words))
+      (dolist (word words)
+        (erase-buffer)
+        (insert "x " word " y\n")
+        (font-lock-ensure)
+        (unless (eq (virote-test-face word) 'font-lock-keyword-face) (error "`%s' is no keyword here" word)))))
+  (message "ok: words, names, texts and comments have their colours"))
+
 (virote-test-documented)
+(virote-test-colours)
 (setf (alist-get 'virote-mode eglot-server-programs) (list (getenv "VIROTE") "lsp"))
 (let* ((folder (make-temp-file "virote-" t))
        (file (expand-file-name "hull.geo" folder)))

@@ -15,11 +15,15 @@ import { ParameterPanel } from "./panels/parameters";
 import { helpSheet, Toolbar } from "./panels/toolbar";
 import { TreePanel } from "./panels/tree";
 import { savePicture } from "./picture";
+import { sectionCommands } from "./sectionCommands";
 import { follow } from "./view/pointer";
 import { NAMED_VIEWS, type NamedView } from "./view/rig";
 import { Stage } from "./view/stage";
 
 const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1", "k2", "draft", "sides", "deviation"];
+
+/** Pixels that a key moves the model by. */
+const STEP = 40;
 
 /** Milliseconds after which the panels are there without a picture too. */
 const UNVEILED = 1000;
@@ -75,7 +79,9 @@ export class App {
         diagnosticsPanel(doc),
       ),
     );
-    host.append(toolbar.root, el("div", { class: "work" }, left, this.view, right), this.help);
+    const work = el("div", { class: "work" }, left, this.view, right);
+    host.append(toolbar.root, work, this.help);
+    new ResizeObserver(() => settings.suit(work.clientWidth)).observe(work);
     this.unveil(left, right);
     settings.watch(({ leftPanel, rightPanel }) => {
       left.hidden = !leftPanel;
@@ -232,6 +238,13 @@ export class App {
       group,
       run: () => (stage.takeOver(), stage.rig.orbit(dx, dy), stage.ask()),
     });
+    const move = (key: string, dx: number, dy: number): Command => ({
+      id: `move-${key}`,
+      title: `Move ${key.slice(5).toLowerCase()}`,
+      keys: [`Shift+${key}`],
+      group,
+      run: () => (stage.takeOver(), stage.rig.pan(dx, dy), stage.ask()),
+    });
     const zoom = (factor: number) => () => {
       stage.takeOver();
       stage.rig.zoom(factor, this.canvas.clientWidth / 2, this.canvas.clientHeight / 2);
@@ -246,6 +259,10 @@ export class App {
       turn("ArrowRight", 15, 0),
       turn("ArrowUp", 0, 15),
       turn("ArrowDown", 0, -15),
+      move("ArrowLeft", -STEP, 0),
+      move("ArrowRight", STEP, 0),
+      move("ArrowUp", 0, -STEP),
+      move("ArrowDown", 0, STEP),
       { id: "nearer", title: "Zoom in", keys: ["+", "="], group, run: zoom(1.25) },
       { id: "farther", title: "Zoom out", keys: ["-"], group, run: zoom(0.8) },
     ];
@@ -269,6 +286,7 @@ export class App {
       toggle("isocurves", "Isocurves", "i"),
       toggle("wireframe", "Wireframe of the mesh", "w"),
       toggle("section", "Section plane", "x"),
+      ...sectionCommands(this.stage, settings),
       { id: "ghost", title: "Keep this state as a ghost to compare", keys: ["g"], group, icon: "ghost", isOn: () => doc.ghost.value !== null, run: () => doc.toggleGhost() },
     ];
   }

@@ -1,4 +1,4 @@
-// The picture as a PNG: what is seen, on the background of the page, with the legend where there is one.
+// The picture as a PNG: what is seen, on the background of the page, with marks over the model, and the legend where there is one.
 
 import type { App } from "./app";
 import { el } from "./panels/dom";
@@ -18,6 +18,7 @@ export function paintPicture(app: App): HTMLCanvasElement {
   const ratio = seen.width / seen.clientWidth;
   context.scale(ratio, ratio);
   const over = app.canvas.parentElement!;
+  for (const shape of over.querySelectorAll<SVGElement>(".marks > *")) paintShape(context, shape);
   for (const legend of over.querySelectorAll<HTMLElement>(".legend:not([hidden])")) paintLegend(context, legend, over);
   for (const caption of over.querySelectorAll<HTMLElement>(".scale, .stripes-caption, .mark-label")) paintCaption(context, caption, over);
   return picture;
@@ -45,6 +46,41 @@ function paintBox(context: CanvasRenderingContext2D, element: Element, over: HTM
   context.roundRect(x, y, width, height, parseFloat(getComputedStyle(element).borderTopLeftRadius) || 0);
   context.fillStyle = fill;
   context.fill();
+}
+
+/** A mark over the model, such as the ring of a claim, as its style has it; what only follows the pointer is left out. */
+function paintShape(context: CanvasRenderingContext2D, shape: SVGElement): void {
+  const path = pathOf(shape);
+  if (!path) return;
+  const style = getComputedStyle(shape);
+  context.save();
+  context.lineCap = style.strokeLinecap as CanvasLineCap;
+  if (style.fill !== "none") {
+    context.globalAlpha = Number(style.fillOpacity);
+    context.fillStyle = style.fill;
+    context.fill(path);
+  }
+  if (style.stroke !== "none") {
+    context.globalAlpha = Number(style.strokeOpacity);
+    context.strokeStyle = style.stroke;
+    context.lineWidth = parseFloat(style.strokeWidth);
+    context.setLineDash((style.strokeDasharray.match(/[\d.]+/g) ?? []).map(Number));
+    context.stroke(path);
+  }
+  context.restore();
+}
+
+function pathOf(shape: SVGElement): Path2D | null {
+  const path = new Path2D();
+  if (shape instanceof SVGCircleElement) path.arc(shape.cx.baseVal.value, shape.cy.baseVal.value, shape.r.baseVal.value, 0, 2 * Math.PI);
+  else if (shape instanceof SVGPolygonElement) {
+    for (const { x, y } of shape.points) path.lineTo(x, y);
+    path.closePath();
+  } else if (shape instanceof SVGLineElement) {
+    path.moveTo(shape.x1.baseVal.value, shape.y1.baseVal.value);
+    path.lineTo(shape.x2.baseVal.value, shape.y2.baseVal.value);
+  } else return null;
+  return path;
 }
 
 /** The legend without its buttons: the bar with its ends, or the classes. */
@@ -81,7 +117,9 @@ function paintLegend(context: CanvasRenderingContext2D, legend: HTMLElement, ove
 
 /** A line of text over the model, and the line of the scale bar. */
 function paintCaption(context: CanvasRenderingContext2D, caption: HTMLElement, over: HTMLElement): void {
-  if (caption.hidden || getComputedStyle(caption).display === "none") return;
+  const { display, backgroundColor } = getComputedStyle(caption);
+  if (caption.hidden || display === "none") return;
+  paintBox(context, caption, over, backgroundColor);
   for (const line of caption.querySelectorAll<HTMLElement>(".scale-line")) {
     const { x, y, width, height } = frameIn(line, over);
     context.strokeStyle = getComputedStyle(line).color;

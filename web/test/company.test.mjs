@@ -109,6 +109,27 @@ run("an empty script says so, and what is written then is seen", "", async (page
   await until(page, () => window.virote.items.length === 0 && !document.querySelector(".greeting").hidden);
 });
 
+run("the camera stays at a save, and goes to a model that has nothing of the one before", BALL, async (page, served) => {
+  const pose = () => page.evaluate(() => ({ camera: window.virote.camera, pixel: window.virote.pixel([0, 0, 0]) }));
+  await page.evaluate(() => window.virote.look({ azimuth: 10, elevation: 20, height: 50 }));
+  const mine = await pose();
+  const next = async (text, path) => {
+    served.save(text);
+    await until(page, (name) => window.virote.isReady && window.virote.items.some((item) => item.path === name), path);
+  };
+  // Another name, another place beside, more beside it, nothing for a while.
+  await next("geo 1\nunit mm\nsurface globe = sphere((2, 0, 0), 9)\n", "globe");
+  await next("geo 1\nunit mm\nsurface globe = sphere((2, 0, 0), 9)\nsurface far = sphere((500, 0, 0), 100)\n", "far");
+  served.save("geo 1\n");
+  await until(page, () => window.virote.items.length === 0);
+  await next("geo 1\nunit mm\nsurface far = sphere((500, 0, 0), 100)\n", "far");
+  assert.deepEqual(await pose(), mine);
+  await next("geo 1\nunit mm\nsurface pearl = sphere((0, 0, 0), 1)\n", "pearl");
+  const { camera } = await pose();
+  assert.ok(camera.height < 10 && Math.hypot(...camera.target) < 1, JSON.stringify(camera));
+  assert.equal((await colorAt(page, [0, 0, 0]))[3], 255);
+});
+
 const BROKEN = `${BALL}surface lid = sphere((60, 0, 0), q)\n`;
 
 run("a script with an error from the start shows what is whole, greyed, and the whole once it is there", BROKEN, async (page, served) => {

@@ -55,6 +55,35 @@ test("in a narrow window the picture is not covered", option, async () => {
   }
 });
 
+test("a page that becomes narrower closes the panels that would cover it, and has them again when it is wider", option, async () => {
+  const page = await openPage(served.url, { width: 1200, height: 600 });
+  await page.evaluate(() => localStorage.clear());
+  await page.reload();
+  await until(page, () => window.virote.items.length > 0);
+  const become = async (width, left, right) => {
+    await page.setViewport({ width, height: 600 });
+    const isSo = (...wanted) => [...document.querySelectorAll(".panel")].every((panel, i) => !panel.hidden === wanted[i]);
+    await until(page, isSo, left, right);
+  };
+  await become(700, true, false);
+  await become(380, false, false);
+  await become(1200, true, true);
+  // What the person opens there stays, and what they close is not opened by the width.
+  await become(380, false, false);
+  await page.keyboard.press("]");
+  await become(400, false, true);
+  await page.keyboard.press("]");
+  await become(1200, true, true);
+  await page.keyboard.press("[");
+  await become(380, false, false);
+  await become(1200, false, true);
+  const { leftPanel, rightPanel } = await page.evaluate(() => JSON.parse(localStorage.getItem("virote-view")));
+  assert.deepEqual([leftPanel, rightPanel], [false, true], "and what is kept for another visit is the wish");
+  await page.evaluate(() => localStorage.clear());
+  assert.deepEqual(page.faults, []);
+  await page.close();
+});
+
 /** The panel of the extension with the page in its frame, and an editor that keeps what it hears. */
 async function openPanel(t) {
   const html = panelPage(served.url);

@@ -16,8 +16,9 @@ const SIZES = [
   { width: 1280, height: 800 },
   { width: 800, height: 600 },
   { width: 480, height: 800 },
+  { width: 360, height: 640 },
 ];
-const PARTS = [".bar .title", ".bar .status", ".bar-tools", ".bar-side.end .tool", ".panel.left", ".panel.right", ".legend", ".triad", ".greeting p", ".toast", ".scale", ".stripes-caption", ".diagnostics"];
+const PARTS = [".bar .title", ".bar .lamp", ".bar .status-text", ".bar-tools", ".bar-side.end .tool", ".panel.left", ".panel.right", ".legend", ".triad", ".greeting p", ".toast", ".scale", ".stripes-caption", ".diagnostics"];
 
 before(async () => {
   if (!skip) await openBrowser();

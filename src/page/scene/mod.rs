@@ -79,7 +79,8 @@ impl Scene {
 
     /// The scene of a report; `None` where nobody wants it any more.
     pub(crate) fn of(report: &Report, session: &Session, memory: &mut ItemMemory) -> Option<Self> {
-        let definitions = definitions(report);
+        let mut definitions = definitions(report);
+        let behind = cut(&mut definitions);
         let mut scene = Self { bounds: memory.whole(&definitions), ..Self::default() };
         let fineness = fineness(report, session, scene.bounds);
         definitions.iter().for_each(|its| memory.inherit(its, &fineness));
@@ -107,17 +108,20 @@ impl Scene {
         for ((identity, piece, _), item) in parts.into_iter().zip(encoded) {
             memory.add(identity, &fineness, piece, item);
         }
-        scene.fill(&definitions, memory, &fineness);
+        if let Some(span) = scene.fill(&definitions, memory, &fineness).or(behind) {
+            let text = format!("the scene has more than {MOST_ITEMS} items; the rest is not drawn");
+            scene.troubles.push((span, text));
+        }
         Some(scene)
     }
 
-    /// Takes the items of all definitions from the memory.
+    /// Takes the items of all definitions from the memory; the place of one for which there is no room.
     fn fill(
         &mut self,
         definitions: &[SceneDefinition<'_>],
         memory: &mut ItemMemory,
         fineness: &Fineness,
-    ) {
+    ) -> Option<Span> {
         let mut n_alike: BTreeMap<Arc<str>, usize> = BTreeMap::new();
         for definition in definitions {
             let Some(kept) = memory.take(definition, fineness) else { continue };
@@ -127,11 +131,7 @@ impl Scene {
             self.troubles.extend(troubles.map(|text| (span, text)));
             for item in kept.items {
                 if MOST_ITEMS <= self.items.len() {
-                    let text = format!(
-                        "the scene has more than {MOST_ITEMS} items; the rest is not drawn"
-                    );
-                    self.troubles.push((span, text));
-                    return;
+                    return Some(span);
                 }
                 // Whoever asks for one of two alike means that one.
                 let n_before = n_alike.entry(Arc::clone(&item.key)).or_default();
@@ -150,7 +150,25 @@ impl Scene {
                 });
             }
         }
+        None
     }
+}
+
+/// Leaves out the definitions for which a scene has no room, before anything is made of them; the place of the first.
+fn cut(definitions: &mut Vec<SceneDefinition<'_>>) -> Option<Span> {
+    if definitions.len() <= MOST_ITEMS {
+        return None;
+    }
+    let mut n_items = 0;
+    let n_seen = definitions.iter().take_while(|its| {
+        let has_room = n_items <= MOST_ITEMS;
+        n_items += parts::pieces(its.value).len();
+        has_room
+    });
+    let n_seen = n_seen.count();
+    let span = definitions.get(n_seen).map(|its| its.defined.span);
+    definitions.truncate(n_seen);
+    span
 }
 
 /// The definitions that are seen, those that are hidden included.

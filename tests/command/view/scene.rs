@@ -234,6 +234,28 @@ fn what_cannot_be_drawn_is_told_and_the_rest_is_drawn() {
 }
 
 #[test]
+fn of_very_many_definitions_the_first_are_drawn_and_the_rest_is_told() {
+    let script = (0..20_010).map(|i| format!("point p{i} = ({i}, 0, 0)\n")).collect::<String>();
+    let view = View::of("many", &script);
+    let state = view.current();
+    let items = state["items"].as_array().expect("a list");
+    assert_eq!(items.len(), 20_000);
+    assert_eq!(items.last().expect("items")["path"], json!("p19999"));
+    let found = state["diagnostics"].as_array().expect("a list");
+    let told = found.iter().map(|one| (&one["line"], &one["message"])).collect::<Vec<_>>();
+    let text = json!("the scene has more than 20000 items; the rest is not drawn");
+    assert_eq!(told, [(&json!(20_001), &text)]);
+    // What is looked at is as large as what is drawn.
+    assert!(state["bounds"][1][0].as_f64().expect("bounds") <= 20_001.0, "{}", state["bounds"]);
+    view.save(&script.lines().take(20_000).collect::<Vec<_>>().join("\n"));
+    let whole = view.after(&state);
+    assert_eq!(
+        [&whole["diagnostics"], &json!(whole["items"] == state["items"])],
+        [&json!([]), &json!(true)]
+    );
+}
+
+#[test]
 fn a_surface_with_very_many_bends_is_drawn_with_as_many_triangles_as_a_screen_can_bear() {
     // Normals that turn 5 degrees at most would take 388,000 vertices.
     let view = View::of(

@@ -335,6 +335,15 @@ run("an example with its data opens from the gallery", async () => {
   await settled();
   assert.equal((await face()).name, "teapot.geo");
   assert.ok(await page.evaluate(() => window.virote.isCurrent && window.virote.items.length > 0));
+  // The camera goes to each: the road is as many metres long as the teapot millimetres.
+  const { height } = await page.evaluate(() => window.virote.camera);
+  await page.click('[data-do="examples"]');
+  await page.click('[data-example="road.geo"]');
+  await settled();
+  assert.ok((await page.evaluate(() => window.virote.camera)).height > height, "it has gone back");
+  const [x] = await page.evaluate(() => window.virote.pixel(window.virote.camera.target));
+  const { left, right } = await page.$eval(".canvas", (canvas) => canvas.getBoundingClientRect().toJSON());
+  assert.ok(left < x && x < right);
   await page.goto(`${served.url}#example=circles.geo`);
   await until(page, () => window.playground?.name === "circles.geo");
   await settled();
@@ -356,6 +365,22 @@ run("an interpreter that cannot be loaded is told of", async () => {
   await other.goto(`${served.url}?again`);
   await until(other, () => /virote\.wasm\.gz: 404/.test(document.querySelector(".broken")?.textContent ?? ""));
   await other.close();
+});
+
+run("a window that becomes small shows script and model, uncovered, and both panels again when it is large", async () => {
+  const shown = () => page.evaluate(() => ({
+    isWithin: document.documentElement.scrollWidth <= innerWidth,
+    boxes: [".cm-editor", ".canvas"].map((name) => document.querySelector(name).getBoundingClientRect()).map(({ width, height }) => width > 250 && height > 150),
+    panels: [...document.querySelectorAll(".panel")].map((panel) => !panel.hidden),
+  }));
+  const before = (await shown()).panels;
+  for (const [width, height] of [[800, 600], [480, 800], [360, 640]]) {
+    await page.setViewport({ width, height });
+    await until(page, () => [...document.querySelectorAll(".panel")].every((panel) => panel.hidden));
+    assert.deepEqual(await shown(), { isWithin: true, boxes: [true, true], panels: [false, false] }, `at ${width}`);
+  }
+  await page.setViewport({ width: 1440, height: 860 });
+  await until(page, (wanted) => [...document.querySelectorAll(".panel")].every((panel, i) => !panel.hidden === wanted[i]), before);
 });
 
 run("the border moves by keys, and the theme turns both sides", async () => {

@@ -113,16 +113,20 @@ const STORE = "virote-view";
 export class SettingsSignal extends Signal<Settings> {
   /** Whether nothing was kept from a visit before. */
   readonly isFirstVisit: boolean;
+  /** What the width alone decides. */
+  private narrow: Partial<Settings>;
 
   constructor() {
     const old = kept();
-    const narrow = ofNarrowWindow();
+    const narrow = ofWidth(innerWidth);
     super({ ...DEFAULTS, ...old, ...narrow });
+    this.narrow = narrow;
     this.isFirstVisit = Object.keys(old).length === 0;
     this.follow((settings) => {
-      // What the width alone decided is not the person's wish.
-      const isWish = (name: keyof Settings): boolean => !(name in narrow) || settings[name] !== narrow[name];
-      const wishes = KEPT.map((name) => [name, isWish(name) ? settings[name] : (old[name] ?? DEFAULTS[name])]);
+      // That is not the person's wish.
+      const isWish = (name: keyof Settings): boolean => !(name in this.narrow) || settings[name] !== this.narrow[name];
+      const before = kept();
+      const wishes = KEPT.map((name) => [name, isWish(name) ? settings[name] : (before[name] ?? DEFAULTS[name])]);
       try {
         localStorage.setItem(STORE, JSON.stringify(Object.fromEntries(wishes)));
       } catch {
@@ -136,6 +140,18 @@ export class SettingsSignal extends Signal<Settings> {
     this.set({ ...this.value, ...change });
   }
 
+  /** Closes the panels for which a page that became narrower has no room; a wider one has those again that were closed so. */
+  suit(width: number): void {
+    const [before, now] = [this.narrow, ofWidth(width)];
+    const panels = ["leftPanel", "rightPanel"] as const;
+    const closed = panels.filter((name) => name in now && !(name in before));
+    const opened = panels.filter((name) => name in before && !(name in now) && !this.value[name]);
+    if (closed.length + opened.length === 0) return;
+    const wishes = kept();
+    this.narrow = now;
+    this.put(Object.fromEntries([...closed.map((name) => [name, false]), ...opened.map((name) => [name, wishes[name] ?? DEFAULTS[name]])]));
+  }
+
   /** Turns one switch over. */
   toggle(name: { [K in keyof Settings]: Settings[K] extends boolean ? K : never }[keyof Settings]): void {
     this.put({ [name]: !this.value[name] });
@@ -145,10 +161,10 @@ export class SettingsSignal extends Signal<Settings> {
 /** Up to this width both panels lie over the picture, as the style says. */
 export const NARROW = 560;
 
-/** Panels that would lie over the picture begin closed. */
-function ofNarrowWindow(): Partial<Settings> {
-  if (innerWidth <= NARROW) return { leftPanel: false, rightPanel: false };
-  return innerWidth <= 760 ? { rightPanel: false } : {};
+/** Panels that would lie over the picture of a page of this width are closed. */
+function ofWidth(width: number): Partial<Settings> {
+  if (width <= NARROW) return { leftPanel: false, rightPanel: false };
+  return width <= 760 ? { rightPanel: false } : {};
 }
 
 function kept(): Partial<Settings> {

@@ -56,7 +56,7 @@ export function legend(doc: Document, stage: Stage, settings: SettingsSignal, de
       classes.replaceChildren(...DRAFT_CLASSES.map(([name, text]) => classRow(name, `${text} ${draftDegrees}°`)));
     } else {
       title.textContent = "Sides";
-      classes.replaceChildren(classRow("front", "front (along the normal)"), classRow("back", "back"));
+      classes.replaceChildren(classRow("outward", "front (along the normal)"), classRow("inward", "back"));
     }
   };
   settings.follow(({ shade }) => {

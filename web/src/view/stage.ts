@@ -15,6 +15,7 @@ import { curvatureRange, deviationRange, isMap, type MapShade } from "./curvatur
 import { DrawnItem, ghostOf, Overlays } from "./drawn";
 import { MODES } from "./glsl";
 import { Grid } from "./grid";
+import { KnownModel } from "./known";
 import { cut, setCut, setMode, shared } from "./paint";
 import { Painter } from "./painter";
 import { pick } from "./pick";
@@ -70,6 +71,7 @@ export class Stage {
   private asked = 0;
   /** Whether the camera stays where it is: it has gone to the whole model, or the person has moved it. */
   private hasFitted = false;
+  private readonly known = new KnownModel();
   private turning = 0;
   private smoothing = 0;
 
@@ -262,11 +264,13 @@ export class Stage {
     const unfinished = [...drawn.values()].filter((one) => one.isUnfinished);
     // They would hold up the picture of what is there.
     if (unfinished.length > 0) requestAnimationFrame(() => setTimeout(() => this.finish(unfinished)));
-    if (!this.hasFitted && !this.box().isEmpty()) {
-      this.hasFitted = !scene.state.isPartial;
-      const box = this.box();
-      this.rig.pose = this.rig.fitted(box, flatView(box));
-    }
+    const box = this.box();
+    if (box.isEmpty()) return;
+    if (this.known.isReplacedBy(scene.state, box)) this.hasFitted = false;
+    if (this.hasFitted) return;
+    this.hasFitted = !scene.state.isPartial;
+    this.turning++;
+    this.rig.pose = this.rig.fitted(box, flatView(box));
   }
 
   private finish(unfinished: DrawnItem[]): void {
