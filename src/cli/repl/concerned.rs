@@ -118,7 +118,7 @@ mod tests {
     /// The part that an entry concerns: the text before it, and the words in both.
     #[track_caller]
     fn check(entry: &str, expected: Option<(&str, &str)>) {
-        let text = "unit cm\nlet a = 1\nlet [b, c] = [a, 2]\nfn f(x) = \"{c}\"\nlet d = length(4)\ncheck f(1) == d\ncurve = line(a, b)";
+        let text = "unit cm\nlet a = 1\nlet [b, c] = [a, 2]\nfn f(x) = \"{c}\"\nlet d = length(4)\ncheck f(1) == d\ncurve line(a, a)";
         let document = PromptDocument::of(text, &Limits::DEFAULT).unwrap();
         let draft = document.draft(entry, &Limits::DEFAULT).unwrap();
         let part = draft.concerned.as_ref();
@@ -129,14 +129,14 @@ mod tests {
 
     #[test]
     fn what_an_entry_concerns_is_what_uses_its_names() {
-        check("let e = a + d", Some(("unit cm\n", "a d let")));
+        check("let e = a + d", Some(("unit cm\n", "a cm d let unit")));
         let f = "unit cm\ncheck f(1) == d\n";
-        check("fn f(x) = x", Some((f, "check d fn x")));
+        check("fn f(x) = x", Some((f, "check cm d fn unit x")));
         let all = "unit cm\nfn f(x) = \"{c}\"\ncheck f(1) == d\n";
-        check("let c = 7", Some((all, "check d fn let x")));
+        check("let c = 7", Some((all, "check cm d fn let unit x")));
         // A name of a built-in means something else from now on.
         let users = "unit cm\nlet d = length(4)\ncheck f(1) == d\n";
-        check("fn length(x) = x", Some((users, "check f fn let x")));
+        check("fn length(x) = x", Some((users, "check cm f fn let unit x")));
         // What has no name cannot be told apart, and a setting concerns everything.
         check("let a = 2", None);
         check("unit mm", None);
