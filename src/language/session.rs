@@ -286,9 +286,8 @@ impl Session {
             stop: &self.stop,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
-        match recall {
-            Some(recall) => self.extent.end(recall, 0 < n_errors(&outcome.diagnostics)),
-            None => {}
+        if let Some(recall) = recall {
+            self.extent.end(recall, 0 < n_errors(&outcome.diagnostics));
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);

@@ -24,7 +24,7 @@ pub(super) enum EvaluatedExtent {
 /// What came of an entry that was to be evaluated in part.
 pub(super) enum PartRun {
     /// All of it holds, and nothing is to be told.
-    Holds(EngineRun),
+    Holds(Box<EngineRun>),
     /// It was stopped.
     Stopped,
     /// All of the document has to be evaluated, which also tells whatever there is to tell.
@@ -63,7 +63,7 @@ impl Prompt {
         };
         let report = &ran.report;
         let holds = report.diagnostics.is_empty() && report.is_whole && self.values_hold();
-        if holds { PartRun::Holds(ran) } else { PartRun::WantsAll }
+        if holds { PartRun::Holds(Box::new(ran)) } else { PartRun::WantsAll }
     }
 
     /// How many definitions keep their values beside a part that was evaluated and what is lost: those that would be found again if

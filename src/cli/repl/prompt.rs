@@ -214,7 +214,7 @@ impl Prompt {
             Err(found) => return self.tell_wrong("input", text, &found),
         };
         match self.joined(&draft, text) {
-            PartRun::Holds(ran) => return self.welcome(ran, draft, EvaluatedExtent::Part),
+            PartRun::Holds(ran) => return self.welcome(*ran, draft, EvaluatedExtent::Part),
             PartRun::Stopped => {
                 self.stopped();
                 return;
