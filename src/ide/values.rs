@@ -9,7 +9,7 @@ use std::{
 use super::{Document, measured::measured};
 use crate::{
     diag::{Diagnostic, Span},
-    eval::Checked,
+    eval::{Checked, Defined},
     session::{Event, Report, TestReport},
     value::{Number, Value, rounded},
 };
@@ -70,6 +70,35 @@ impl Values {
         found
     }
 
+    /// Puts what a part of the text came to into the place of what the names in it had, at the end what is new;
+    /// some names are `lost`. Whether it can be done, which needs that nobody else has the report, is what it
+    /// returns.
+    pub(crate) fn take_in(&mut self, part: &Report, lost: &[String]) -> bool {
+        let Some(report) = Arc::get_mut(&mut self.report) else { return false };
+        let mut leaving: Vec<usize> =
+            lost.iter().filter_map(|name| self.numbers.remove(name)).collect();
+        leaving.sort_unstable();
+        if let Some(&first) = leaving.first() {
+            let mut number = 0;
+            report.definitions.retain(|_| {
+                number += 1;
+                leaving.binary_search(&(number - 1)).is_err()
+            });
+            let later = self.numbers.values_mut().filter(|number| first < **number);
+            later.for_each(|number| *number -= leaving.partition_point(|left| left < number));
+        }
+        for defined in &part.definitions {
+            match self.numbers.get(&defined.name) {
+                Some(&number) => report.definitions[number] = defined.clone(),
+                None => {
+                    self.numbers.insert(defined.name.clone(), report.definitions.len());
+                    report.definitions.push(defined.clone());
+                }
+            }
+        }
+        true
+    }
+
     /// What the run came to.
     #[must_use]
     pub fn report(&self) -> &Arc<Report> {
@@ -85,7 +114,12 @@ impl Values {
     /// The value of a definition of the script.
     #[must_use]
     pub fn value(&self, name: &str) -> Option<&Value> {
-        self.report.definitions[*self.numbers.get(name)?].value.as_ref()
+        self.defined(name)?.value.as_ref()
+    }
+
+    /// A definition of the script.
+    pub(crate) fn defined(&self, name: &str) -> Option<&Defined> {
+        Some(&self.report.definitions[*self.numbers.get(name)?])
     }
 
     /// The claim at a place of the script.

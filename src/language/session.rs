@@ -28,6 +28,7 @@ pub use gate::JobGate;
 use memory::SessionMemory;
 pub use picture::PictureContent;
 pub use picture::{drawable, exported, small_picture};
+use remembered::TextExtent;
 pub use test::{TestReport, TestVerdict};
 
 pub use crate::ops::loaded_endings;
@@ -54,8 +55,8 @@ pub struct Session {
     n_threads: usize,
     /// Of an incremental session.
     memory: Option<Arc<SessionMemory>>,
-    /// Whether runs leave the memory as it is.
-    is_aside: bool,
+    /// What of a text it runs.
+    extent: TextExtent,
     gauge: MemoryGauge,
     stop: StopToken,
 }
@@ -151,7 +152,7 @@ impl Session {
             limits,
             n_threads: 1,
             memory: None,
-            is_aside: false,
+            extent: TextExtent::Whole,
             gauge: MemoryGauge::default(),
             stop: StopToken::default(),
         }
@@ -280,14 +281,13 @@ impl Session {
             n_threads,
             purpose,
             recall: recall.as_ref(),
+            known: self.extent.known(),
             gauge: &self.gauge,
             stop: &self.stop,
         };
         let outcome = eval::evaluate(name, text, &mut sources, settings);
-        match recall {
-            Some(recall) if self.is_aside => recall.end_aside(),
-            Some(recall) => recall.end(0 < n_errors(&outcome.diagnostics)),
-            None => {}
+        if let Some(recall) = recall {
+            self.extent.end(recall, 0 < n_errors(&outcome.diagnostics));
         }
         let mut diagnostics = outcome.diagnostics;
         let document = (outcome.unit, outcome.tolerance);

@@ -9,6 +9,7 @@ mod looks;
 mod lsp;
 mod pictures;
 mod repl;
+mod repl_in_part;
 mod safety;
 #[cfg(unix)]
 mod study;

@@ -9,7 +9,11 @@ use std::{
 use crate::support::{Scratch, folder, programs, told, virote};
 
 /// What the prompt says to entries from a pipe: standard output, standard error, exit code.
-fn piped(scratch: &Scratch, args: &[&str], input: impl Into<Vec<u8>>) -> (String, String, i32) {
+pub(crate) fn piped(
+    scratch: &Scratch,
+    args: &[&str],
+    input: impl Into<Vec<u8>>,
+) -> (String, String, i32) {
     let mut child = virote(&scratch.0)
         .arg("repl")
         .args(args)

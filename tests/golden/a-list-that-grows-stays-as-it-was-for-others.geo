@@ -26,3 +26,22 @@ let of_rows = fold(0..<3, table({a: [1, 2]}), (list, i) => [...list, i])
 check len(of_rows) == 5 and of_rows[1].a == 2
 let of_range = fold(0..<2, 0..2, (list, i) => [...list, 10 + i])
 check of_range == [0, 1, 2, 10, 11]
+
+// Of a function that calls itself at last, what it gives the next call.
+fn down(n, list) = if n == 0 then list else down(n - 1, [...list, n])
+check down(500, []) == [for i in 0..<500: 500 - i]
+check len(down(3, start)) == 103 and len(start) == 100 "what others have"
+fn first(list, n) = if n == 0 then list else first([...list, n], n - 1)
+check first([], 400) == [for i in 0..<400: 400 - i] "what stands behind names it not"
+fn tail(list, n) = if n == 0 then list else tail([...list, n, ...list[-2..-1]], n - len(list))
+check tail([1, 2], 7) == [1, 2, 7, 1, 2, 5, 1, 2] "what stands behind names it"
+fn both(a, b, n) = if n == 0 then [len(a), len(b)] else both([...a, n], [...a, ...b], n - 1)
+check both([], [], 3) == [3, 3] "two lists of one"
+fn inner(n, list) = if n == 0 then list else { let m = 2 * n; inner(n - 1, if n % 2 == 0 then [...list, m] else [...list, -m, len(list)]) }
+check inner(4, []) == [8, -6, 1, 4, -2, 4] "behind conditions and names"
+fn held(n, list) = { let f = () => len(list); if n == 0 then [] else [f(), ...held(n - 1, [...list, n])] }
+check held(3, []) == [0, 1, 2] "what a function inside holds"
+fn later(n, list) = if n == 0 then [] else [...later(n - 1, [...list, n]), len(list)]
+check later(3, []) == [2, 1, 0] "what is asked for after the call"
+fn labelled(n, list = [], more = 0) = if n == 0 then list else labelled(list = [...list, n], n = n - 1, more = len(list))
+check labelled(3) == [3, 2, 1] "by name"

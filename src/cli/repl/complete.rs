@@ -3,7 +3,7 @@
 
 use std::{path::PathBuf, sync::Arc};
 
-use super::command::COMMANDS;
+use super::{command::COMMANDS, document::PromptDocument};
 use crate::{
     disk::{ScriptFiles, entries},
     ide::{Completion, CompletionKind, Document, Values},
@@ -18,8 +18,8 @@ const MOST_BYTES: usize = 256 << 10;
 #[derive(Debug)]
 pub(super) struct Scope {
     pub(super) session: Arc<Session>,
-    /// Its settings and definitions.
-    pub(super) text: String,
+    /// The document.
+    pub(super) document: PromptDocument,
     /// What they came to.
     pub(super) values: Arc<Values>,
     /// The folder that its files lie in.
@@ -49,8 +49,8 @@ impl Candidate {
 impl Scope {
     /// The document with the beginning of an entry behind it.
     fn document(&self, line: &str) -> Document {
-        let files = ScriptFiles::new(&self.folder);
-        Document::new(&self.session, "input", &format!("{}{line}", self.text), &files)
+        let (files, text) = (ScriptFiles::new(&self.folder), self.document.definitions());
+        Document::new(&self.session, "input", &(text + line), &files)
     }
 
     /// Where the completed part of `line` begins, and what could stand there.
@@ -74,7 +74,7 @@ impl Scope {
         let begun = document.text().get(start..).unwrap_or_default();
         // All are of one place, behind what is in the document already.
         found.retain(|one| one.range.start == start && one.insert.starts_with(begun));
-        let start = start.saturating_sub(self.text.len());
+        let start = start.saturating_sub(end - line.len());
         (start, found.into_iter().map(Candidate::of).collect())
     }
 
@@ -109,7 +109,7 @@ impl Scope {
     /// The argument that is being written at the end of `line`, as the signature of its call has it.
     pub(super) fn argument(&self, line: &str) -> Option<String> {
         open_call(line, line.len())?;
-        if MOST_BYTES < self.text.len() {
+        if MOST_BYTES < self.document.n_bytes() {
             return None;
         }
         let document = self.document(line);
@@ -124,15 +124,15 @@ impl Scope {
 mod tests {
     use std::{path::PathBuf, sync::Arc};
 
-    use super::Scope;
+    use super::{super::document::PromptDocument, Scope};
     use crate::{ide::Values, session::Session, value::NoFiles};
 
     fn scope(text: &str) -> Scope {
         let session = Session::default();
         let report = session.run("document", text.as_bytes(), &NoFiles, &[]);
         Scope {
+            document: PromptDocument::of(text, session.limits()).unwrap(),
             session: Arc::new(session),
-            text: text.to_owned(),
             values: Arc::new(Values::new(Arc::new(report))),
             folder: PathBuf::from("."),
         }

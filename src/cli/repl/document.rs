@@ -2,10 +2,11 @@
 
 use std::{collections::HashMap, sync::Arc};
 
+use super::concerned::ConcernedPart;
 use crate::{
     diag::Diagnostic,
     limits::Limits,
-    syntax::{OutlinedStatement, StatementRole, parts, pieces},
+    syntax::{Highlight, OutlinedStatement, StatementRole, parts, pieces},
 };
 
 /// Documents that `:undo` can go back to.
@@ -13,10 +14,23 @@ const MOST_UNDONE: usize = 200;
 
 /// A statement with the comments before it.
 #[derive(Debug)]
-struct DocumentStatement {
-    text: String,
-    role: StatementRole,
-    names: Vec<String>,
+pub(super) struct DocumentStatement {
+    pub(super) text: String,
+    pub(super) role: StatementRole,
+    pub(super) names: Vec<String>,
+    /// The words that stand in it, its own names too, each once.
+    pub(super) words: Vec<Box<str>>,
+}
+
+/// The words of a text that can be names, each once.
+pub(super) fn words(text: &str) -> Vec<Box<str>> {
+    let is_word = |paint: &Highlight| matches!(paint, Highlight::Name | Highlight::Keyword);
+    let found = pieces(text).into_iter().filter(|(paint, _)| is_word(paint));
+    let mut words: Vec<Box<str>> =
+        found.filter_map(|(_, range)| text.get(range)).map(Box::from).collect();
+    words.sort_unstable();
+    words.dedup();
+    words
 }
 
 /// The statements so far. The documents of a history share what they have in common.
@@ -28,14 +42,35 @@ pub(super) struct PromptDocument {
 /// A document on its way to the next one.
 #[derive(Debug)]
 pub(super) struct Draft {
-    /// What stays as it is, for the evaluation.
-    pub(super) base: String,
-    /// Whether something of the document is replaced.
-    pub(super) replaces: bool,
+    /// What is replaced.
+    replaced: Vec<Arc<DocumentStatement>>,
+    /// The part that has to be evaluated, where it is not all.
+    pub(super) concerned: Option<ConcernedPart>,
     /// Names that go with what is replaced and are not defined again.
     pub(super) lost: Vec<String>,
     /// The document once the new statements hold.
     pub(super) next: PromptDocument,
+}
+
+impl Draft {
+    /// Whether something of the document is replaced.
+    pub(super) fn replaces(&self) -> bool {
+        !self.replaced.is_empty()
+    }
+
+    /// What stays of the document as it is, for the evaluation.
+    pub(super) fn base(&self, document: &PromptDocument) -> String {
+        let mut replaced = self.replaced.iter().peekable();
+        document.text_of(|piece| {
+            let is_replaced =
+                replaced.next_if(|next| std::ptr::eq(Arc::as_ptr(next), piece)).is_some();
+            let is_evaluated = matches!(
+                piece.role,
+                StatementRole::Setting(_) | StatementRole::Definition | StatementRole::Check
+            );
+            is_evaluated && !is_replaced
+        })
+    }
 }
 
 impl PromptDocument {
@@ -47,7 +82,8 @@ impl PromptDocument {
         let text = text.trim_start_matches('\u{feff}');
         let piece = |part: OutlinedStatement| {
             let text = text[part.range].trim_matches('\n').to_owned();
-            Arc::new(DocumentStatement { text, role: part.role, names: part.names })
+            let words = words(&text);
+            Arc::new(DocumentStatement { text, role: part.role, names: part.names, words })
         };
         Ok(Self { pieces: parts(text, limits)?.into_iter().map(piece).collect() })
     }
@@ -108,6 +144,16 @@ impl PromptDocument {
         reached.map(|(piece, _)| format!("{}\n", piece.text)).collect()
     }
 
+    /// Bytes of its statements.
+    pub(super) fn n_bytes(&self) -> usize {
+        self.pieces.iter().map(|piece| piece.text.len() + 1).sum()
+    }
+
+    /// The settings.
+    pub(super) fn settings(&self) -> String {
+        self.text_of(|piece| matches!(piece.role, StatementRole::Setting(_)))
+    }
+
     /// What a question is asked of where all names count: settings and definitions.
     pub(super) fn definitions(&self) -> String {
         self.text_of(|piece| {
@@ -125,7 +171,7 @@ impl PromptDocument {
         })
     }
 
-    fn text_of(&self, is_wanted: impl Fn(&DocumentStatement) -> bool) -> String {
+    fn text_of(&self, mut is_wanted: impl FnMut(&DocumentStatement) -> bool) -> String {
         let wanted = self.pieces.iter().filter(|piece| is_wanted(piece));
         wanted.map(|piece| format!("{}\n", piece.text)).collect()
     }
@@ -137,40 +183,32 @@ impl PromptDocument {
     /// What is wrong with the input.
     pub(super) fn draft(&self, input: &str, limits: &Limits) -> Result<Draft, Vec<Diagnostic>> {
         let mut added = Self::of(input, limits)?.pieces;
-        let base = Self { pieces: self.outside(&added) };
-        let lost = self.lost(&added);
-        let replaces = base.pieces.len() < self.pieces.len();
+        let (mut replaced, mut stays) = (Vec::new(), Vec::with_capacity(self.pieces.len()));
+        for old in &self.pieces {
+            if added.iter().any(|new| new.replaces(old)) {
+                replaced.push(Arc::clone(old));
+            } else {
+                stays.push(&**old);
+            }
+        }
+        let is_lost = |name: &&String| !added.iter().any(|new| new.names.contains(*name));
+        let lost = replaced.iter().flat_map(|old| old.names.iter().filter(is_lost));
+        let lost = lost.cloned().collect();
+        let concerned = ConcernedPart::of_entry(&added, &replaced, &stays);
         added.retain(|piece| piece.role != StatementRole::Print);
         let mut next = self.clone();
         for piece in added {
             next.put(piece);
         }
-        let base = base.text_of(|piece| {
-            matches!(
-                piece.role,
-                StatementRole::Setting(_) | StatementRole::Definition | StatementRole::Check
-            )
-        });
-        Ok(Draft { base, replaces, lost, next })
-    }
-
-    /// The pieces that none of `added` takes the place of.
-    fn outside(&self, added: &[Arc<DocumentStatement>]) -> Vec<Arc<DocumentStatement>> {
-        let stays = |old: &&Arc<DocumentStatement>| !added.iter().any(|new| new.replaces(old));
-        self.pieces.iter().filter(stays).cloned().collect()
-    }
-
-    /// Names of replaced pieces that nothing defines any more.
-    fn lost(&self, added: &[Arc<DocumentStatement>]) -> Vec<String> {
-        let gone = self.pieces.iter().filter(|old| added.iter().any(|new| new.replaces(old)));
-        let is_lost = |name: &&String| !added.iter().any(|new| new.names.contains(name));
-        gone.flat_map(|old| old.names.iter().filter(is_lost).cloned()).collect()
+        Ok(Draft { replaced, concerned, lost, next })
     }
 
     /// Puts a piece into the place of what it replaces, or at the end; a setting to the front.
     fn put(&mut self, piece: Arc<DocumentStatement>) {
         let place = self.pieces.iter().position(|old| piece.replaces(old));
-        self.pieces.retain(|old| !piece.replaces(old));
+        if place.is_some() {
+            self.pieces.retain(|old| !piece.replaces(old));
+        }
         let end = self.pieces.len();
         let front = match piece.role {
             StatementRole::Setting("geo") => 0,
@@ -223,12 +261,12 @@ mod tests {
         let document =
             PromptDocument::of("let a = 1\nlet [b, c] = [a, 2]\ncheck a > 0", &limits).unwrap();
         let draft = document.draft("let b = 7", &limits).unwrap();
-        assert_eq!(draft.base, "let a = 1\ncheck a > 0\n");
+        assert_eq!(draft.base(&document), "let a = 1\ncheck a > 0\n");
         assert_eq!(draft.lost, ["c"]);
         assert_eq!(draft.next.text(), "let a = 1\nlet b = 7\ncheck a > 0\n");
         let draft = draft.next.draft("unit cm print a", &limits).unwrap();
         assert_eq!(draft.next.text(), "unit cm\nlet a = 1\nlet b = 7\ncheck a > 0\n");
-        assert!(!draft.replaces);
+        assert!(!draft.replaces());
     }
 
     #[test]

@@ -50,7 +50,6 @@ pub(super) struct Editor {
 impl Editor {
     /// An editor, and what keeps its history from staying.
     pub(super) fn new(
-        scope: Scope,
         limits: Limits,
         with_color: bool,
     ) -> Result<(Self, Option<String>), ReadlineError> {
@@ -62,7 +61,7 @@ impl Editor {
             .auto_add_history(false)
             .build();
         let mut lines = Lines::with_config(config)?;
-        let assistant = LineHelper { limits, with_color, scope };
+        let assistant = LineHelper { limits, with_color, scope: None };
         lines.set_helper(Some(assistant));
         let (history, warning) = match history_file() {
             Some(path) => match open(&mut lines, &path) {
@@ -80,7 +79,14 @@ impl Editor {
     /// Tells what there is to complete from now on.
     pub(super) fn know(&mut self, scope: Scope) {
         if let Some(assistant) = self.lines.helper_mut() {
-            assistant.scope = scope;
+            assistant.scope = Some(scope);
+        }
+    }
+
+    /// Completes nothing until it knows again what there is.
+    pub(super) fn forget(&mut self) {
+        if let Some(assistant) = self.lines.helper_mut() {
+            assistant.scope = None;
         }
     }
 
@@ -151,7 +157,7 @@ fn history_file() -> Option<PathBuf> {
 struct LineHelper {
     limits: Limits,
     with_color: bool,
-    scope: Scope,
+    scope: Option<Scope>,
 }
 
 impl Helper for LineHelper {}
@@ -165,7 +171,7 @@ impl Hinter for LineHelper {
             && pos == line.len()
             && pos <= MOST_BYTES
             && !line.trim_start().starts_with(':');
-        let argument = is_shown.then(|| self.scope.argument(line)).flatten()?;
+        let argument = self.scope.as_ref().filter(|_| is_shown)?.argument(line)?;
         Some(format!("  {}", cut(&argument, MOST_HINT)))
     }
 }
@@ -180,10 +186,10 @@ impl Completer for LineHelper {
         _: &Context<'_>,
     ) -> rustyline::Result<(usize, Vec<Pair>)> {
         let before = line.get(..pos).unwrap_or_default();
-        if before.len() > MOST_BYTES {
+        let Some(scope) = self.scope.as_ref().filter(|_| before.len() <= MOST_BYTES) else {
             return Ok((pos, Vec::new()));
-        }
-        let (start, found) = self.scope.candidates(before);
+        };
+        let (start, found) = scope.candidates(before);
         let width = found.iter().map(|one| one.text.chars().count()).max().unwrap_or(0).min(24);
         let pairs = found.into_iter().map(|one| Pair {
             display: format!("{:width$}  {}", one.text, one.what),

@@ -11,7 +11,7 @@ use super::super::{interrupt::INTERRUPTED, run_args::RunArgs};
 use crate::{
     diag::Sources,
     disk::ScriptFiles,
-    eval::Setting,
+    eval::{Defined, Setting},
     limits::{Limits, work::StopToken},
     session::{Report, Session},
 };
@@ -80,9 +80,14 @@ impl Engine {
         self.files.inputs()
     }
 
-    /// Reads files beside another document from now on.
-    pub(super) fn move_to(&mut self, folder: &Path) {
-        self.files = Arc::new(ScriptFiles::new(folder));
+    /// Reads files beside another document from now on; what was read beside the one before.
+    pub(super) fn move_to(&mut self, folder: &Path) -> Arc<ScriptFiles> {
+        std::mem::replace(&mut self.files, Arc::new(ScriptFiles::new(folder)))
+    }
+
+    /// Goes back to the document that files were read beside before.
+    pub(super) fn move_back(&mut self, files: Arc<ScriptFiles>) {
+        self.files = files;
     }
 
     /// Evaluates `input` behind `base`, with `gap` between them; `None` if it was stopped.
@@ -97,15 +102,26 @@ impl Engine {
         self.run_in(Arc::clone(&self.session), (base, gap, input), names)
     }
 
-    /// The same where `base` is a part of a document, the rest of which stays evaluated.
+    /// The same where `base` is a part of a document, which uses what is `known`; the rest stays evaluated.
     pub(super) fn run_aside(
         &mut self,
+        known: Vec<Defined>,
         base: &str,
-        gap: char,
         input: &str,
         names: [&str; 2],
     ) -> Option<EngineRun> {
-        self.run_in(Arc::new(self.session.aside()), (base, gap, input), names)
+        self.run_in(Arc::new(self.session.aside(known)), (base, ' ', input), names)
+    }
+
+    /// The same where what the part gives is to stay evaluated too.
+    pub(super) fn run_joining(
+        &mut self,
+        known: Vec<Defined>,
+        base: &str,
+        input: &str,
+        names: [&str; 2],
+    ) -> Option<EngineRun> {
+        self.run_in(Arc::new(self.session.joining(known)), (base, '\n', input), names)
     }
 
     fn run_in(

@@ -50,11 +50,10 @@ impl Prompt {
             }
         };
         let before = std::mem::take(&mut self.told);
-        self.engine.move_to(&script.folder);
+        let files = self.engine.move_to(&script.folder);
         let Some(ran) = self.evaluate("", '\n', &text, ["document", &script.name]) else {
             self.told = before;
-            let folder = self.folder.clone();
-            self.engine.move_to(&folder);
+            self.engine.move_back(files);
             return Vec::new();
         };
         let mut report = ran.report;

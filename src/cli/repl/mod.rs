@@ -7,10 +7,12 @@
 
 mod command;
 mod complete;
+mod concerned;
 mod document;
 mod editor;
 mod engine;
 mod graph;
+mod join;
 mod load;
 mod options;
 mod pipe;
@@ -22,7 +24,7 @@ use std::{
     collections::BTreeSet,
     io::{self, IsTerminal},
     path::{Path, PathBuf},
-    sync::Arc,
+    sync::{Arc, Weak},
 };
 
 use self::{
@@ -60,6 +62,8 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         last: None,
         told: BTreeSet::new(),
         values: Arc::new(Values::new(Arc::new(nothing))),
+        values_of: Weak::new(),
+        n_joined: 0,
         folder: PathBuf::from("."),
         out: out.map(Path::to_path_buf),
         file: None,
@@ -94,8 +98,7 @@ impl Prompt {
     /// Entries from a terminal.
     fn converse(&mut self, is_quiet: bool) -> ExitStatus {
         interrupt::listen();
-        let (mut editor, warning) = match Editor::new(self.scope(), *self.limits(), self.with_color)
-        {
+        let (mut editor, warning) = match Editor::new(*self.limits(), self.with_color) {
             Ok(editor) => editor,
             Err(err) => {
                 self.voice.trouble(&format!("the terminal cannot be used: {err}"));
@@ -113,7 +116,10 @@ impl Prompt {
             editor.paint(self.with_color, *self.limits());
             editor.know(self.scope());
             match editor.read() {
-                EditorEvent::Entry(text) => self.take(&text),
+                EditorEvent::Entry(text) => {
+                    editor.forget();
+                    self.take(&text);
+                }
                 EditorEvent::GivenUp => self.voice.remark("(Ctrl-D or `:quit` ends)"),
                 EditorEvent::End => break,
             }
@@ -125,7 +131,7 @@ impl Prompt {
     fn scope(&self) -> Scope {
         Scope {
             session: Arc::clone(self.engine.session()),
-            text: self.document.definitions(),
+            document: self.document.clone(),
             values: Arc::clone(&self.values),
             folder: self.folder.clone(),
         }

@@ -1,13 +1,20 @@
 //! The document of the prompt, and the answers to what is asked about it.
 
-use std::{collections::BTreeSet, path::PathBuf, sync::Arc, time::Duration};
+use std::{
+    collections::BTreeSet,
+    path::PathBuf,
+    sync::{Arc, Weak},
+    time::Duration,
+};
 
 use super::{
     super::{
         exit_status::ExitStatus, progress::Progress, reporter::Reporter, run, standard_streams::say,
     },
-    document::{PromptDocument, UndoHistory},
+    concerned::ConcernedPart,
+    document::{Draft, PromptDocument, UndoHistory},
     engine::{Engine, EngineRun},
+    join::{EvaluatedExtent, PartRun},
     show,
 };
 use crate::{
@@ -15,7 +22,7 @@ use crate::{
     eval::{Printed, Work},
     ide::Values,
     limits::Limits,
-    session::{Event, Report},
+    session::{Event, Report, Session},
     syntax::{StatementRole, ast::Unit, free_placeholders},
     value::Value,
 };
@@ -41,6 +48,10 @@ pub(super) struct Prompt {
     pub(super) told: BTreeSet<String>,
     /// What the document came to.
     pub(super) values: Arc<Values>,
+    /// The session that they are of.
+    pub(super) values_of: Weak<Session>,
+    /// Entries that were evaluated in part since all of the document was.
+    pub(super) n_joined: usize,
     /// The unit of length of what was evaluated last.
     pub(super) unit: Unit,
     pub(super) folder: PathBuf,
@@ -110,8 +121,15 @@ impl Prompt {
     /// evaluated behind all of it: what is told depends on all names, and on what was told before.
     fn answered(&mut self, before: &str, question: &str) -> Option<EngineRun> {
         let names = ["document", "input"];
-        let reached = self.document.reached_from(&format!("{before} {question}")) + before;
-        let Some(ran) = self.engine.run_aside(&reached, ' ', question, names) else {
+        let asked = format!("{before} {question}");
+        let (base, known) = if self.values_hold() {
+            let part = ConcernedPart::of_question(&self.document, &asked);
+            let known = self.known(&part.used);
+            (part.base, known)
+        } else {
+            (self.document.reached_from(&asked), Vec::new())
+        };
+        let Some(ran) = self.engine.run_aside(known, &(base + before), question, names) else {
             return self.stopped();
         };
         if ran.report.diagnostics.is_empty() {
@@ -195,11 +213,23 @@ impl Prompt {
             Ok(draft) => draft,
             Err(found) => return self.tell_wrong("input", text, &found),
         };
+        match self.joined(&draft, text) {
+            PartRun::Holds(ran) => return self.welcome(*ran, draft, EvaluatedExtent::Part),
+            PartRun::Stopped => {
+                self.stopped();
+                return;
+            }
+            PartRun::WantsAll => {}
+        }
         let told = self.told.clone();
-        let Some(ran) = self.evaluate(&draft.base, '\n', text, ["document", "input"]) else {
-            self.told = told;
-            return;
-        };
+        match self.evaluate(&draft.base(&self.document), '\n', text, ["document", "input"]) {
+            Some(ran) => self.welcome(ran, draft, EvaluatedExtent::Whole),
+            None => self.told = told,
+        }
+    }
+
+    /// Takes in the statements of a draft that hold, and tells what they came to.
+    fn welcome(&mut self, ran: EngineRun, draft: Draft, extent: EvaluatedExtent) {
         let EngineRun { mut report, start, time, .. } = ran;
         let is_new = |span: crate::diag::Span| span.start >= start;
         let (mut news, mut again) = (Vec::new(), Vec::new());
@@ -213,8 +243,13 @@ impl Prompt {
             }
         }
         news.iter().for_each(|line| say(&format!("{line}\n")));
-        if draft.replaces || !again.is_empty() {
-            self.voice.remark(&show::evaluated(&again, report.n_with(Work::Reused), time));
+        if draft.replaces() || !again.is_empty() {
+            let n_beside = match extent {
+                EvaluatedExtent::Whole => 0,
+                EvaluatedExtent::Part => self.n_beside(&report, &draft.lost),
+            };
+            let n_reused = report.n_with(Work::Reused) + n_beside;
+            self.voice.remark(&show::evaluated(&again, n_reused, time));
         }
         if !draft.lost.is_empty() {
             let names = draft.lost.join("`, `");
@@ -232,7 +267,10 @@ impl Prompt {
             self.undo.push(before, self.last.clone());
         }
         self.act(&mut report);
-        self.know(report);
+        match extent {
+            EvaluatedExtent::Part => self.know_part(&report, &draft.lost),
+            EvaluatedExtent::Whole => self.know(report),
+        }
     }
 
     /// The definitions with their values.
@@ -256,6 +294,8 @@ impl Prompt {
     /// Keeps the values of a document that holds.
     pub(super) fn know(&mut self, report: Report) {
         self.values = Arc::new(Values::new(Arc::new(report)));
+        self.values_of = Arc::downgrade(self.engine.session());
+        self.n_joined = 0;
     }
 
     pub(super) fn tell_wrong(&mut self, name: &str, text: &str, found: &[Diagnostic]) {

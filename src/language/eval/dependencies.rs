@@ -48,7 +48,9 @@ pub fn graph(name: &str, text: &str, sources: &mut Sources, settings: Settings<'
         .definitions
         .iter()
         .enumerate()
-        .filter(|(_, definition)| !matches!(definition.role, DefinitionRole::Hidden))
+        .filter(|(_, definition)| {
+            !matches!(definition.role, DefinitionRole::Hidden | DefinitionRole::Known(_))
+        })
         .map(|(idx, definition)| GraphItem::Definition(idx, definition))
         .chain(program.effects.iter().map(GraphItem::Effect))
         .collect();
@@ -158,7 +160,7 @@ fn kind(definition: &Definition) -> &'static str {
         DefinitionRole::Function => "fn",
         DefinitionRole::Import => "import",
         DefinitionRole::Value(kind) => kind.word(),
-        DefinitionRole::Hidden => "",
+        DefinitionRole::Hidden | DefinitionRole::Known(_) => "",
     }
 }
 

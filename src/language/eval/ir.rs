@@ -211,6 +211,8 @@ pub(crate) enum DefinitionRole {
     Value(Kind),
     /// The right side of a pattern; has no name of its own.
     Hidden,
+    /// One beside the text: its value, with the identity of its result where results are remembered.
+    Known(Option<u64>),
 }
 
 /// What a `param` allows.

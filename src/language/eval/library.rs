@@ -213,7 +213,7 @@ impl<'a> Library<'a> {
         let found: Vec<Diagnostic> = found.into_iter().map(|found| found.shifted(base)).collect();
         let imports = self.load_imports(&LoadedText { path, base, tree: &tree }, chain, sources);
         let faults = lower::faults(&found);
-        let origin = Origin { text, base, faults: &faults, imports: &imports };
+        let origin = Origin { text, base, faults: &faults, imports: &imports, known: &[] };
         let mut lowered = lower::lower(&tree, origin, self.settings.registry, self.unit);
         if lowered.program.unit != self.unit {
             let (theirs, ours) = (lowered.program.unit.name(), self.unit.name());

@@ -52,7 +52,8 @@ pub(super) fn load<'a>(
     let chain = &mut vec![file.to_owned()];
     let imports = library.load_imports(&importer, chain, sources);
     let faults = lower::faults(&diagnostics);
-    let origin = lower::Origin { text, base, faults: &faults, imports: &imports };
+    let origin =
+        lower::Origin { text, base, faults: &faults, imports: &imports, known: settings.known };
     let mut lowered = lower::lower(&tree, origin, settings.registry, unit);
     library.load_scripts(file, &mut lowered, chain, sources);
     diagnostics.extend(lowered.diagnostics);

@@ -185,6 +185,14 @@ impl CacheRun<'_> {
         });
     }
 
+    /// Ends a run of a part of a text, the rest of which is as it was: what that gave is kept.
+    pub fn end_joining(self, has_errors: bool) {
+        let mut state = self.memory.lock();
+        for entry in state.results.values_mut().filter(|entry| entry.first_run == self.run) {
+            entry.is_settled = !has_errors;
+        }
+    }
+
     /// Ends a run beside those of a whole text, and forgets what it evaluated itself.
     pub fn end_aside(self) {
         self.memory.lock().results.retain(|_, entry| entry.first_run != self.run);

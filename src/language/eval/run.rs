@@ -94,7 +94,7 @@ impl FileRun<'_> {
         let mut defined = Vec::with_capacity(program.definitions.len());
         for (idx, definition) in (program.first..).zip(&program.definitions) {
             let kind = match definition.role {
-                DefinitionRole::Hidden => continue,
+                DefinitionRole::Hidden | DefinitionRole::Known(_) => continue,
                 DefinitionRole::Value(kind) => Some(kind),
                 DefinitionRole::Param(_) | DefinitionRole::Function | DefinitionRole::Import => {
                     None

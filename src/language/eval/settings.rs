@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::memory::CacheRun;
+use super::{memory::CacheRun, outcome::Defined};
 use crate::{
     limits::{
         Limits,
@@ -77,6 +77,8 @@ pub struct Settings<'a> {
     pub purpose: Purpose<'a>,
     /// What earlier runs gave, if they are to be remembered.
     pub recall: Option<&'a CacheRun<'a>>,
+    /// Definitions that stand beside the text, which may use them, with their results of earlier runs.
+    pub known: &'a [Defined],
     /// How many bytes of memory are held.
     pub gauge: &'a MemoryGauge,
     /// Set by whoever no longer wants the answer.

@@ -75,6 +75,15 @@ impl<'a> Worker<'a> {
                 definition.dependencies.iter().filter(|used| !members.contains(&used.definition));
             !definition.is_poisoned && outside.all(|used| self.machine.home.has(used))
         });
+        if let &[idx] = members
+            && let Some(definition) = program.definition(idx)
+            && let DefinitionRole::Known(result) = definition.role
+            && let ExprKind::Constant(value) = &definition.value.kind
+        {
+            let mark = result.map(|result| ResultId::new(result, Work::Reused));
+            self.machine.home.keep_marked(idx, DefinitionState::Whole(value.clone()), mark);
+            return;
+        }
         match self.memory {
             _ if !is_ready => {
                 members

@@ -123,6 +123,7 @@ impl Session {
             n_threads: 1,
             purpose: eval::Purpose::Run,
             recall: None,
+            known: &[],
             gauge: &self.gauge,
             stop: &self.stop,
         }

@@ -1,6 +1,39 @@
 //! What an incremental session remembers, for whoever has the session.
 
+use std::sync::Arc;
+
 use super::Session;
+use crate::eval::{CacheRun, Defined};
+
+/// What of a text a session runs, and so what it remembers afterwards.
+#[derive(Clone, Debug)]
+pub(super) enum TextExtent {
+    /// All of it: what is not used is forgotten.
+    Whole,
+    /// A part beside runs of all of it, which use these definitions: nothing is remembered.
+    Aside(Arc<[Defined]>),
+    /// A part that changed, which uses these definitions of the rest: what it gave is remembered too.
+    Joining(Arc<[Defined]>),
+}
+
+impl TextExtent {
+    /// The definitions beside the part that is run.
+    pub(super) fn known(&self) -> &[Defined] {
+        match self {
+            Self::Whole => &[],
+            Self::Aside(known) | Self::Joining(known) => known,
+        }
+    }
+
+    /// Ends a run.
+    pub(super) fn end(&self, run: CacheRun<'_>, has_errors: bool) {
+        match self {
+            Self::Whole => run.end(has_errors),
+            Self::Aside(_) => run.end_aside(),
+            Self::Joining(_) => run.end_joining(has_errors),
+        }
+    }
+}
 
 impl Session {
     /// How many results an incremental session remembers.
@@ -10,9 +43,29 @@ impl Session {
     }
 
     /// The same, for runs of a part of a text beside those of all of it: they use what is remembered, and leave it
-    /// as it is.
-    pub fn aside(&self) -> Self {
-        Self { is_aside: true, ..self.clone() }
+    /// as it is. The part may use definitions that are `known` from a report of this session.
+    pub fn aside(&self, known: Vec<Defined>) -> Self {
+        Self { extent: TextExtent::Aside(known.into()), ..self.clone() }
+    }
+
+    /// The same, for runs of a part that changed: what they give is remembered with all else, until all of the text
+    /// is run again. Its definitions take the place of those of an earlier report, and the rest of that holds if
+    /// the part has everything that uses a name of its own, if no file has changed, and if nothing is found.
+    ///
+    /// ```
+    /// use virote_language::{eval::Work, session::Session, value::NoFiles};
+    ///
+    /// let session = Session::default().incremental();
+    /// let report = session.run("demo", b"let a = 1  let b = a + 1", &NoFiles, &[]);
+    /// let part = session.joining(report.definitions);
+    /// let joined = part.run("demo", b"let c = b + 1", &NoFiles, &[]);
+    /// assert_eq!(joined.value("c").map(|c| c.to_string()).as_deref(), Some("3"));
+    /// let whole = session.run("demo", b"let a = 1  let b = a + 1  let c = b + 1", &NoFiles, &[]);
+    /// assert_eq!(whole.n_with(Work::Reused), 3);
+    /// ```
+    #[must_use]
+    pub fn joining(&self, known: Vec<Defined>) -> Self {
+        Self { extent: TextExtent::Joining(known.into()), ..self.clone() }
     }
 
     /// Forgets what an incremental session remembers; its next run evaluates all anew.
@@ -36,8 +89,10 @@ mod tests {
         run(&session, all);
         let n_remembered = session.n_remembered();
         for i in 0..3 {
-            let report =
-                run(&session.aside(), &format!("let a = 1\nlet last = a - {i}\nprint last"));
+            let report = run(
+                &session.aside(Vec::new()),
+                &format!("let a = 1\nlet last = a - {i}\nprint last"),
+            );
             assert_eq!((report.n_with(Work::Reused), report.n_with(Work::Evaluated)), (1, 1));
             assert_eq!(session.n_remembered(), n_remembered);
         }

@@ -166,6 +166,7 @@ impl Desk {
             n_threads: self.n_threads,
             purpose: Purpose::Run,
             recall: Some(&recall),
+            known: &[],
             gauge: &MemoryGauge::default(),
             stop: &StopToken::default(),
         };

@@ -24,8 +24,9 @@ pub(super) use script::ScriptCall;
 use uses::Uses;
 
 use super::{
-    ir::{CaptureSource, Expr, ExprKind, Program},
+    ir::{CaptureSource, Definition, DefinitionRole, Expr, ExprKind, Program},
     name_uses::NotedNames,
+    outcome::Defined,
 };
 use crate::{
     diag::{Code, Diagnostic, Fix, Severity, Span, nearest},
@@ -56,6 +57,8 @@ pub(crate) struct Origin<'a> {
     /// What the paths of its imports stand for, with the first byte of each, in the order of the
     /// text; empty where a file could not be had.
     pub(crate) imports: &'a [(u32, Option<Imported>)],
+    /// Definitions beside the text, with their values.
+    pub(crate) known: &'a [Defined],
 }
 
 /// What is known of an imported file.
@@ -219,6 +222,29 @@ impl<'s> Lowerer<'_, 's> {
             unit: self.unit,
             tolerance: self.tolerance,
         }
+    }
+
+    /// The definitions beside the text, which have their values.
+    fn known(&mut self) -> Vec<Definition> {
+        if self.tested.is_some() {
+            return Vec::new();
+        }
+        let (known, span) = (self.origin.known, Span::default());
+        let with_values = known.iter().filter_map(|known| Some((known, known.value.clone()?)));
+        let definition = |(idx, (known, value)): (usize, (&'s Defined, Value))| {
+            self.globals.insert(known.name.as_str(), (idx, span));
+            Definition {
+                name: Arc::from(known.name.as_str()),
+                name_span: span,
+                role: DefinitionRole::Known(known.identity),
+                value: Expr { kind: ExprKind::Constant(value), span },
+                n_slots: 0,
+                dependencies: Vec::new(),
+                is_poisoned: false,
+                with: Vec::new(),
+            }
+        };
+        with_values.enumerate().map(definition).collect()
     }
 
     /// The number of the definition `name` of the file or the test under way, and its place.

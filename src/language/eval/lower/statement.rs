@@ -119,11 +119,12 @@ impl<'s> Lowerer<'_, 's> {
         &mut self,
         statements: &[Statement<'s>],
     ) -> (Vec<Definition>, Vec<Effect>) {
-        let mut next = self.first;
+        let (mut definitions, mut effects) = (self.known(), Vec::new());
+        let mut next = self.first + definitions.len();
         for statement in statements {
             self.declare(statement, &mut next);
         }
-        let (mut definitions, mut effects) = (Vec::with_capacity(next - self.first), Vec::new());
+        definitions.reserve(next - self.first - definitions.len());
         for statement in statements {
             self.scopes.enter_definition();
             self.uses.clear();
