@@ -55,6 +55,7 @@ mod region_many;
 mod region_touch;
 mod seams;
 mod shape;
+mod shared_edges;
 mod sizes;
 mod skin;
 mod solid;

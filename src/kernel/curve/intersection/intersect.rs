@@ -7,6 +7,7 @@
 //! cones as in Sederberg & Meyers (1988).
 
 mod contact;
+mod corners;
 mod distinct;
 mod ends;
 mod joined;
@@ -21,8 +22,9 @@ pub use self::meeting::CurveIntersection;
 use std::sync::Arc;
 
 use self::{
+    corners::{FEW, KnownContacts},
     meeting::{ContactInterval, IntersectionSearch, ReportedIntersection},
-    newton::{beside, nearest_on, nearest_step},
+    newton::{beside, comes_near, nearest_on, nearest_step},
     pairs::{PartPair, near_crossing},
     straight::LegMeeting,
 };
@@ -176,6 +178,36 @@ impl<'c> IntersectionSearch<'c> {
 
     /// Looks at all pairs; tells how much work is left.
     fn run(&mut self, pairs: Vec<PartPair>) -> Result<usize, GeomError> {
+        let mut corners = Vec::new();
+        self.look_at(pairs, |search, a, b| {
+            let is_corner = search.may_be_corner(a, b);
+            if is_corner {
+                corners.push((Arc::clone(a), Arc::clone(b)));
+            }
+            is_corner
+        })?;
+        if FEW < corners.len() {
+            let mut rest = Vec::new();
+            for (a, b) in corners {
+                match self.overlap(&a, &b) {
+                    Some(contact) => self.contacts.push(contact),
+                    None => rest.push((a, b)),
+                }
+            }
+            corners = rest;
+            let known = KnownContacts::of(&self.contacts);
+            corners.retain(|(a, b)| work::goes_on(1) && !known.hold(a.interval, b.interval));
+        }
+        self.look_at(corners, |_, _, _| false)?;
+        Ok(self.left)
+    }
+
+    /// Looks at pairs, but for those that are passed over, until nothing is to be halved.
+    fn look_at(
+        &mut self,
+        pairs: Vec<PartPair>,
+        mut is_passed_over: impl FnMut(&Self, &Arc<CurvePart>, &Arc<CurvePart>) -> bool,
+    ) -> Result<(), GeomError> {
         let mut todo = pairs;
         let cost = self.first.degree() + self.second.degree() + 2;
         while work::goes_on(1)
@@ -183,7 +215,7 @@ impl<'c> IntersectionSearch<'c> {
         {
             let Some(left) = self.left.checked_sub(cost) else { return Err(self.tangled()) };
             self.left = left;
-            if self.is_settled(&a, &b) {
+            if self.is_settled(&a, &b) || is_passed_over(self, &a, &b) {
                 continue;
             }
             let halve_first = b.bounds.diagonal() <= a.bounds.diagonal();
@@ -195,7 +227,7 @@ impl<'c> IntersectionSearch<'c> {
                 }
             }
         }
-        Ok(self.left)
+        Ok(())
     }
 
     /// Whether a pair needs no further halving; what it came to is noted.
@@ -289,6 +321,11 @@ impl<'c> IntersectionSearch<'c> {
         is_met.then(|| CurveIntersection { first, second, point: p.midpoint(q) })
     }
 
+    /// Whether the tolerance does not tell either piece from its chord.
+    fn are_straight(&self, a: &CurvePart, b: &CurvePart) -> bool {
+        a.deviation_from_chord().max(b.deviation_from_chord()) <= self.tolerance
+    }
+
     /// Whether all of the shorter piece that can be told lies within the tolerance of the other:
     /// they touch, or run together.
     fn lies_along(&self, a: &CurvePart, b: &CurvePart) -> bool {
@@ -297,13 +334,15 @@ impl<'c> IntersectionSearch<'c> {
         } else {
             (b, a, self.first)
         };
-        if self.tolerance < a.deviation_from_chord().max(b.deviation_from_chord()) {
+        if !self.are_straight(a, b) {
             return false;
         }
         let ends =
             [short.points[0], short.points[short.points.len() - 1]].map(homogeneous::project);
         let places = [ends[0], ends[0].midpoint(ends[1]), ends[1]];
-        places.into_iter().all(|place| nearest_on(curve, other.interval, place) <= self.tolerance)
+        // What is outside of its box is none of its places.
+        places.iter().all(|&place| other.bounds.contains(place, self.tolerance))
+            && places.into_iter().all(|place| comes_near(curve, other, place, self.tolerance))
     }
 }
 

@@ -137,6 +137,7 @@ const fn of_picture(error: &PictureError) -> Code {
         | PictureError::OffSurface { .. }
         | PictureError::ToldTwice { .. }
         | PictureError::EndsInside { .. }
+        | PictureError::EdgeLost { .. }
         | PictureError::SmallLoop { .. }
         | PictureError::RunsAlong { .. }
         | PictureError::Open { .. }

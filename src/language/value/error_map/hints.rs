@@ -349,6 +349,7 @@ fn of_picture(error: &PictureError) -> String {
         | PictureError::OffSurface { .. }
         | PictureError::ToldTwice { .. }
         | PictureError::EndsInside { .. }
+        | PictureError::EdgeLost { .. }
         | PictureError::SmallLoop { .. } => {
             "`trim` the surfaces to where they should cross, or state a larger `tolerance`"
         }

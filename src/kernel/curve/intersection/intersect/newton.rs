@@ -5,12 +5,13 @@ use glam::DVec3;
 use crate::{
     Interval,
     ceiling::NEWTON_STEPS,
-    curve::NurbsCurve,
+    curve::{NurbsCurve, representation::part::CurvePart},
     frame::norm,
+    homogeneous,
     numeric::{
         golden_section::golden_section,
         linear::TwoEquations,
-        newton::{to_foot, within_limits},
+        newton::{NewtonStep, to_foot, within_limits},
     },
     tolerance::LAST_BIT,
 };
@@ -37,6 +38,27 @@ pub(super) fn nearest_on(curve: &NurbsCurve, interval: Interval, p: DVec3) -> f6
         .into_iter()
         .map(|t| curve.point_at(t).distance(p))
         .fold(f64::INFINITY, f64::min)
+}
+
+/// Whether a short piece of a curve, hardly longer than its chord, comes to a point within the tolerance. The first place
+/// that does is enough.
+pub(super) fn comes_near(curve: &NurbsCurve, piece: &CurvePart, p: DVec3, tolerance: f64) -> bool {
+    let interval = piece.interval;
+    let limits = [interval.start(), interval.end()];
+    let [from, to] =
+        [piece.points[0], piece.points[piece.points.len() - 1]].map(homogeneous::project);
+    let chord = to - from;
+    let fraction = (p - from).dot(chord) / chord.length_squared();
+    let fraction = if fraction.is_finite() { fraction.clamp(0.0, 1.0) } else { 0.5 };
+    let is_still = |[t]: [f64; 1], [next]: [f64; 1]| (next - t).abs() <= LAST_BIT * t.abs();
+    let mut is_near = false;
+    let found = within_limits([limits], [interval.at(fraction)], NEWTON_STEPS, is_still, |[t]| {
+        let derivatives = curve.velocity_at(t);
+        is_near = derivatives[0].distance(p) <= tolerance;
+        if is_near { NewtonStep::Stay } else { to_foot(p - derivatives[0], derivatives[1]) }
+    });
+    let ends = [found.place()[0], interval.start(), interval.end()];
+    is_near || ends.into_iter().any(|t| curve.point_at(t).distance(p) <= tolerance)
 }
 
 /// The parameter of a short part of a curve that is nearest to a point: Newton's method on its

@@ -46,6 +46,12 @@ pub enum PictureError {
         place(*point)
     )]
     EndsInside { point: DVec3 },
+    /// An edge of a surface on the other one, along which nothing was found.
+    #[error(
+        "no curve can be told for certain near {}: an edge of one surface lies on the other there, and was not found",
+        place(*point)
+    )]
+    EdgeLost { point: DVec3 },
     /// A closed curve so small that it could not be followed.
     #[error(
         "no curve can be told for certain near {}: the surfaces cross there in a small loop, which could not be followed",

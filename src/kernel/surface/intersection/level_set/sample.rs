@@ -19,6 +19,9 @@ use crate::{
 /// a right angle: the square of the chord between the unit tangents.
 pub(super) const MOST_TURN: f64 = 0.6;
 
+/// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
+const FAR_ASIDE: f64 = 64.0;
+
 /// A place where the field vanishes with its slopes, up to a radius.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VanishingPlace {
@@ -57,6 +60,33 @@ impl BranchSamples {
                     .misses_near(point, along.clamp(0.0, 1.0))
                     <= 4.0 * tolerance
         })
+    }
+
+    /// Whether it is another one again, between the same ends: where surfaces cross at a small angle,
+    /// places that are on both may be far from the curve. A neighbour of it would run the other way. Within a spot curves
+    /// end anywhere.
+    pub(super) fn repeats(&self, known: &Self, spots: &[VanishingPlace], tolerance: f64) -> bool {
+        let near = FAR_ASIDE * tolerance;
+        let is_in = |spot: &VanishingPlace, point: DVec3| spot.point.distance(point) <= spot.radius;
+        let is_one_end = |a: DVec3, b: DVec3| {
+            a.distance(b) <= near || spots.iter().any(|spot| is_in(spot, a) && is_in(spot, b))
+        };
+        let is_at_end =
+            |spot: &&VanishingPlace| is_in(spot, self.start()) || is_in(spot, self.end());
+        let at_ends: Vec<&VanishingPlace> = spots.iter().filter(is_at_end).collect();
+        let is_beside_known = |sample: &BranchSample| {
+            known.passes(sample.point, 0.25 * near)
+                || at_ends.iter().any(|spot| is_in(spot, sample.point))
+        };
+        let middle = self.samples[self.samples.len() / 2];
+        let beside = known.samples.iter().min_by(|a, b| {
+            let away = |sample: &BranchSample| sample.point.distance(middle.point);
+            away(a).total_cmp(&away(b))
+        });
+        is_one_end(self.start(), known.start())
+            && is_one_end(self.end(), known.end())
+            && self.samples.iter().all(is_beside_known)
+            && beside.is_some_and(|sample| 0.0 < sample.behind.dot(middle.behind))
     }
 
     /// Samples of a branch on a Bézier patch; the cubics between them stay within `tolerance` of

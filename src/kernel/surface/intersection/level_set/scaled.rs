@@ -101,6 +101,7 @@ impl CommonScale {
             | PictureError::TooTangled { point }
             | PictureError::ToldTwice { point }
             | PictureError::EndsInside { point }
+            | PictureError::EdgeLost { point }
             | PictureError::SmallLoop { point }
             | PictureError::Crossing { point, .. } => *point *= self.0,
             PictureError::OffSurface { point, distance } => {

@@ -19,7 +19,7 @@ use super::{
     elsewhere::with_seams_elsewhere,
     pair::SurfacePart,
     sample::{BranchSamples, VanishingPlace},
-    seam::EdgeOverlap,
+    seam::{EdgeOverlap, lost_edge},
     share::{SharedParts, found, halved},
     sphere,
     surface_pair::{PairParameters, SurfacePair},
@@ -41,9 +41,6 @@ const SPLINE_SHARE: f64 = 0.4 * CONTACT_SHARE;
 /// Roundings up to which surfaces are one along a line on which they touch.
 const CONTACT_ROUNDINGS: f64 = 8.0;
 
-/// How far, in tolerances, a curve of two surfaces that are nearly parallel may be told beside it.
-const FAR_ASIDE: f64 = 64.0;
-
 impl Surface {
     /// The curves in which the surface crosses another or touches it, within the tolerance's distance
     /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
@@ -53,45 +50,60 @@ impl Surface {
     ///
     /// # Errors
     /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
-    /// [`crate::ParametricSurface::to_nurbs`].
+    /// [`crate::ParametricSurface::to_nurbs`], and [`PictureError::EdgeLost`] of an edge that lies on the other surface
+    /// and was not found.
     pub fn intersections(&self, other: &Self, tolerance: Tolerance) -> Result<LevelSet, GeomError> {
         let [a, b] = [self, other].map(|s| s.splined(SPLINE_SHARE * tolerance.distance));
         let (a, b) = (a?, b?);
-        let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
-        if let Some(scale) = CommonScale::needed(magnitude) {
-            let [a, b] = [scale.surface(&Self::Nurbs(a))?, scale.surface(&Self::Nurbs(b))?];
-            return scale.lines(a.intersections(&b, scale.tolerance(tolerance)));
+        let found = splines_cross(Arc::clone(&a), Arc::clone(&b), tolerance)?;
+        // An edge on the other surface may be just beside it where a spline stands in for that.
+        if [self, other].iter().any(|surface| matches!(surface, Self::Parametric(_))) {
+            let size = a.bounds().diagonal().min(b.bounds().diagonal());
+            let distance = tolerance.distance_for(size);
+            if let Some(point) = lost_edge(&found.curves, [&a, &b], distance) {
+                return Err(PictureError::EdgeLost { point }.into());
+            }
         }
-        let near = [a.near_zero(), b.near_zero()];
-        if near.iter().any(Option::is_some) {
-            let [near_a, near_b] = near.map(|near| near.map(Arc::new));
-            let [a, b] = [near_a.unwrap_or(a), near_b.unwrap_or(b)].map(Self::Nurbs);
-            return a.intersections(&b, tolerance);
-        }
-        let size = a.bounds().diagonal().min(b.bounds().diagonal());
-        let tolerance = tolerance.distance_for(size);
-        check_rounding(tolerance, magnitude)?;
-        if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
-            return Ok(LevelSet::default());
-        }
-        let surfaces = [a, b];
-        match searched(&surfaces, tolerance, size) {
-            Err(GeomError::Picture(refused)) => {
-                let [a, b] = &surfaces;
-                match (refused, a.coaxial_circles(b, tolerance)) {
-                    (_, Some(curves)) => Ok(LevelSet { curves, ..LevelSet::default() }),
-                    (PictureError::TooTangled { point }, None)
-                        if a.is_coaxially_on(b, tolerance) =>
-                    {
-                        Err(PictureError::SurfacesRunTogether { point }.into())
-                    }
-                    (refused, None) => Err(refused.into()),
+        Ok(found)
+    }
+}
+
+/// What two surfaces share that are no functions.
+fn splines_cross(
+    a: Arc<NurbsSurface>,
+    b: Arc<NurbsSurface>,
+    tolerance: Tolerance,
+) -> Result<LevelSet, GeomError> {
+    let magnitude = a.bounds().magnitude().max(b.bounds().magnitude());
+    if let Some(scale) = CommonScale::needed(magnitude) {
+        let [a, b] = [scale.surface(&Surface::Nurbs(a))?, scale.surface(&Surface::Nurbs(b))?];
+        return scale.lines(a.intersections(&b, scale.tolerance(tolerance)));
+    }
+    let near = [a.near_zero(), b.near_zero()];
+    if near.iter().any(Option::is_some) {
+        let [near_a, near_b] = near.map(|near| near.map(Arc::new));
+        let [a, b] = [near_a.unwrap_or(a), near_b.unwrap_or(b)];
+        return splines_cross(a, b, tolerance);
+    }
+    let size = a.bounds().diagonal().min(b.bounds().diagonal());
+    let tolerance = tolerance.distance_for(size);
+    check_rounding(tolerance, magnitude)?;
+    if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
+        return Ok(LevelSet::default());
+    }
+    let surfaces = [a, b];
+    match searched(&surfaces, tolerance, size) {
+        Err(GeomError::Picture(refused)) => {
+            let [a, b] = &surfaces;
+            match (refused, a.coaxial_circles(b, tolerance)) {
+                (_, Some(curves)) => Ok(LevelSet { curves, ..LevelSet::default() }),
+                (PictureError::TooTangled { point }, None) if a.is_coaxially_on(b, tolerance) => {
+                    Err(PictureError::SurfacesRunTogether { point }.into())
                 }
-            }
-            found => {
-                found.map(|found| surfaces[0].with_exact_contacts(&surfaces[1], found, tolerance))
+                (refused, None) => Err(refused.into()),
             }
         }
+        found => found.map(|found| surfaces[0].with_exact_contacts(&surfaces[1], found, tolerance)),
     }
 }
 
@@ -345,7 +357,8 @@ fn arcs(
         let mut run = runs.iter().find(|run| run.passes(place.point, crossing.tolerance));
         if run.is_none() {
             let new = crossing.run(place, ends);
-            match runs.iter().position(|known| repeats(&new, known, crossing.tolerance)) {
+            match runs.iter().position(|known| new.repeats(known, &ends.spots, crossing.tolerance))
+            {
                 Some(idx) => run = runs.get(idx),
                 None => {
                     runs.push(new);
@@ -373,19 +386,4 @@ fn common(crossing: &SurfacePair<'_>, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<
     let place = crossing.common([u, v, s, t], widths)?;
     let [u, v, s, t] = place.at;
     (a.holds([u, v]) && b.holds([s, t])).then_some(place)
-}
-
-/// Whether a run is another one again, between the same ends: where surfaces cross at a small angle,
-/// places that are on both may be far from the curve. A neighbour of it would run the other way.
-fn repeats(run: &BranchSamples, known: &BranchSamples, tolerance: f64) -> bool {
-    let near = FAR_ASIDE * tolerance;
-    let middle = run.samples[run.samples.len() / 2];
-    let beside = known.samples.iter().min_by(|a, b| {
-        let away = |sample: &BranchSample| sample.point.distance(middle.point);
-        away(a).total_cmp(&away(b))
-    });
-    run.start().distance(known.start()) <= near
-        && run.end().distance(known.end()) <= near
-        && run.samples.iter().all(|sample| known.passes(sample.point, 0.25 * near))
-        && beside.is_some_and(|sample| 0.0 < sample.behind.dot(middle.behind))
 }
