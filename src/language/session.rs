@@ -18,6 +18,7 @@ mod remembered;
 mod review;
 mod stop;
 mod test;
+mod text_extent;
 
 use std::sync::Arc;
 
@@ -28,8 +29,8 @@ pub use gate::JobGate;
 use memory::SessionMemory;
 pub use picture::PictureContent;
 pub use picture::{drawable, exported, small_picture};
-use remembered::TextExtent;
 pub use test::{TestReport, TestVerdict};
+use text_extent::TextExtent;
 
 pub use crate::ops::loaded_endings;
 

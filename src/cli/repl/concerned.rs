@@ -6,7 +6,7 @@ use std::{
     sync::Arc,
 };
 
-use super::document::{DocumentStatement, PromptDocument};
+use super::statement::{DocumentStatement, words};
 use crate::syntax::StatementRole;
 
 /// The part of a document that has to be evaluated for an entry.
@@ -21,11 +21,10 @@ pub(super) struct ConcernedPart {
 }
 
 impl ConcernedPart {
-    /// The part that a question concerns.
-    pub(super) fn of_question(document: &PromptDocument, question: &str) -> Self {
-        let words = super::document::words(question);
-        let used = words.into_iter().map(String::from).collect();
-        Self { base: document.settings(), used, has_others: false }
+    /// The part that a question concerns, below the settings of its document.
+    pub(super) fn of_question(settings: String, question: &str) -> Self {
+        let used = words(question).into_iter().map(String::from).collect();
+        Self { base: settings, used, has_others: false }
     }
 
     /// The part that an entry concerns, which adds statements, replaces some, and lets the others stay. None where

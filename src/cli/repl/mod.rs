@@ -19,6 +19,7 @@ mod pipe;
 mod plot;
 mod prompt;
 mod show;
+mod statement;
 
 use std::{
     collections::BTreeSet,

@@ -123,7 +123,7 @@ impl Prompt {
         let names = ["document", "input"];
         let asked = format!("{before} {question}");
         let (base, known) = if self.values_hold() {
-            let part = ConcernedPart::of_question(&self.document, &asked);
+            let part = ConcernedPart::of_question(self.document.settings(), &asked);
             let known = self.known(&part.used);
             (part.base, known)
         } else {

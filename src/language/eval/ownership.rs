@@ -34,7 +34,7 @@ impl<'a> OwningCopies<'a> {
 
     /// The same value, which answers as long as it lives.
     pub(super) fn owning(&mut self, value: &Value) -> Value {
-        if !value.extent().holds_functions {
+        if !value.extent().holds_functions || owns(value) {
             return value.clone();
         }
         let Some(place) = place(value) else { return value.clone() };
@@ -107,6 +107,28 @@ impl<'a> OwningCopies<'a> {
                 EffectOutput::Checked(_) | EffectOutput::Expected(_) => {}
             }
         }
+    }
+}
+
+/// Whether a value left another run, and so owns what it needs already: it stays the very same.
+fn owns(value: &Value) -> bool {
+    if !value.extent().holds_functions {
+        return true;
+    }
+    match value {
+        Value::List(items) => items.iter().all(owns),
+        Value::Record(record) => record.iter().all(|(_, value)| owns(value)),
+        Value::Function(Function::Partial(partial)) => {
+            let named = partial.named.iter().filter_map(|(_, arg)| arg.as_ref());
+            partial.positional.iter().flatten().chain(named).chain([&partial.callee]).all(owns)
+        }
+        Value::Function(Function::Closure(closure)) => {
+            let function = closure.as_any().downcast_ref::<ScriptFunction>();
+            function.is_none_or(|function| function.kept.is_some())
+        }
+        Value::Curve(Curve::Parametric(curve)) => curve.is_keeping(),
+        Value::Surface(Surface::Parametric(surface)) => surface.is_keeping(),
+        _ => true,
     }
 }
 

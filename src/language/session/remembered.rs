@@ -2,38 +2,8 @@
 
 use std::sync::Arc;
 
-use super::Session;
-use crate::eval::{CacheRun, Defined};
-
-/// What of a text a session runs, and so what it remembers afterwards.
-#[derive(Clone, Debug)]
-pub(super) enum TextExtent {
-    /// All of it: what is not used is forgotten.
-    Whole,
-    /// A part beside runs of all of it, which use these definitions: nothing is remembered.
-    Aside(Arc<[Defined]>),
-    /// A part that changed, which uses these definitions of the rest: what it gave is remembered too.
-    Joining(Arc<[Defined]>),
-}
-
-impl TextExtent {
-    /// The definitions beside the part that is run.
-    pub(super) fn known(&self) -> &[Defined] {
-        match self {
-            Self::Whole => &[],
-            Self::Aside(known) | Self::Joining(known) => known,
-        }
-    }
-
-    /// Ends a run.
-    pub(super) fn end(&self, run: CacheRun<'_>, has_errors: bool) {
-        match self {
-            Self::Whole => run.end(has_errors),
-            Self::Aside(_) => run.end_aside(),
-            Self::Joining(_) => run.end_joining(has_errors),
-        }
-    }
-}
+use super::{Session, text_extent::TextExtent};
+use crate::eval::Defined;
 
 impl Session {
     /// How many results an incremental session remembers.
@@ -44,8 +14,9 @@ impl Session {
 
     /// The same, for runs of a part of a text beside those of all of it: they use what is remembered, and leave it
     /// as it is. The part may use definitions that are `known` from a report of this session.
+    #[must_use]
     pub fn aside(&self, known: Vec<Defined>) -> Self {
-        Self { extent: TextExtent::Aside(known.into()), ..self.clone() }
+        Self { extent: TextExtent::Aside(identified(known)), ..self.clone() }
     }
 
     /// The same, for runs of a part that changed: what they give is remembered with all else, until all of the text
@@ -65,7 +36,7 @@ impl Session {
     /// ```
     #[must_use]
     pub fn joining(&self, known: Vec<Defined>) -> Self {
-        Self { extent: TextExtent::Joining(known.into()), ..self.clone() }
+        Self { extent: TextExtent::Joining(identified(known)), ..self.clone() }
     }
 
     /// Forgets what an incremental session remembers; its next run evaluates all anew.
@@ -74,6 +45,11 @@ impl Session {
             memory.forget();
         }
     }
+}
+
+/// Those definitions that an incremental session can tell from others; what has no identity is not known.
+fn identified(known: Vec<Defined>) -> Arc<[Defined]> {
+    known.into_iter().filter(|defined| defined.identity.is_some()).collect()
 }
 
 #[cfg(test)]

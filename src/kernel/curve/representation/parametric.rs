@@ -222,6 +222,12 @@ impl ParametricCurve {
         }
     }
 
+    /// Whether it keeps something alive for its function.
+    #[must_use]
+    pub fn is_keeping(&self) -> bool {
+        self._kept.is_some()
+    }
+
     /// The same curve, which keeps something alive that its function needs, as do all that are made of it.
     #[must_use]
     pub fn keeping(&self, kept: Arc<dyn Any + Send + Sync>) -> Self {

@@ -306,6 +306,12 @@ impl ParametricSurface {
         ParametricCurve::new(self.domain_u, Arc::new(isocurve))
     }
 
+    /// Whether it keeps something alive for its function.
+    #[must_use]
+    pub fn is_keeping(&self) -> bool {
+        self._kept.is_some()
+    }
+
     /// The same surface, which keeps something alive that its function needs, as does all that is made of it.
     #[must_use]
     pub fn keeping(&self, kept: Arc<dyn Any + Send + Sync>) -> Self {

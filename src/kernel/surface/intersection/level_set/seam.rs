@@ -24,6 +24,9 @@ const N_LOOKS: usize = 16;
 /// Tolerances from a curve within which a place is told by it.
 const TOLD: f64 = 4.0;
 
+/// Stretches between a place and a curve aside, at whose ends it is looked whether both surfaces are there.
+const STRIP_LOOKS: usize = 8;
+
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
 pub(super) struct EdgeOverlap {
@@ -153,8 +156,16 @@ pub(super) fn lost_edge(
         let is_on = |point: &DVec3| {
             other.bounds().contains(*point, distance) && other.closest(*point).distance <= distance
         };
+        // Where they part slowly a curve lies aside, and the strip between is on both.
         let is_told = |point: DVec3| {
-            curves.iter().any(|c| c.closest(point, distance).distance <= TOLD * distance)
+            curves.iter().any(|curve| {
+                let foot = curve.closest(point, distance);
+                foot.distance <= TOLD * distance
+                    || (1..STRIP_LOOKS).all(|i| {
+                        let between = point.lerp(foot.point, i as f64 / STRIP_LOOKS as f64);
+                        other.closest(own.closest(between).point).distance <= distance
+                    })
+            })
         };
         own.edges().into_iter().find_map(|edge| {
             let place = |i: usize| edge.point_at(edge.domain().at(i as f64 / N_LOOKS as f64));
