@@ -24,6 +24,8 @@ export function listenToKeys(commands: Command[]): void {
     if (event.altKey || event.defaultPrevented) return;
     // Under a sheet nothing is commanded; "?" puts that of the keys away again.
     if (event.key !== "?" && document.querySelector("dialog[open]")) return;
+    // Of a slider that has the focus they are the steps.
+    if (event.shiftKey && event.key.startsWith("Arrow") && event.target instanceof HTMLInputElement && event.target.type === "range") return;
     if (isTyping(event.target) && !hasCtrl && !/^(Escape|F\d+)$/.test(event.key)) return;
     const letter = event.key.length === 1 ? event.key.toLowerCase() : event.key;
     const isShifted = event.shiftKey && /^[a-z]$|^Arrow/.test(letter);

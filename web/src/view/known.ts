@@ -11,17 +11,17 @@ export class KnownModel {
   private last: { script: string; definitions: Set<string>; box: Box3 } | null = null;
 
   /** Takes the state whose model has this box, and says whether it is another model than the last: of another script and
-   * with other definitions, or without any of that one and where or as large as that one was not. */
+   * with other definitions or elsewhere, or without any of that one and where or as large as that one was not. */
   isReplacedBy({ script, items }: State, box: Box3): boolean {
     const { last } = this;
     const definitions = new Set(items.map((item) => item.definition));
     this.last = { script, definitions, box };
     if (!last) return false;
     const n_common = [...definitions].filter((name) => last.definitions.has(name)).length;
-    // One that has got another name is the same.
-    if (last.script !== script) return n_common < Math.max(definitions.size, last.definitions.size);
-    if (n_common > 0) return false;
     const [before, now] = [last.box, box].map((one) => one.getSize(new Vector3()).length());
-    return !last.box.intersectsBox(box) || now > OTHER_SIZE * before || before > OTHER_SIZE * now;
+    const isElsewhere = !last.box.intersectsBox(box) || now > OTHER_SIZE * before || before > OTHER_SIZE * now;
+    // One that has got another name is the same.
+    if (last.script !== script) return isElsewhere || n_common < Math.max(definitions.size, last.definitions.size);
+    return n_common === 0 && isElsewhere;
   }
 }
