@@ -43,7 +43,7 @@ impl Face {
             match &arc.curve {
                 Curve::Nurbs(curve) => found.take(curve.bounds().corners()),
                 Curve::Parametric(function) => {
-                    lifted.push((function, spline(&arc.curve, distance)?))
+                    lifted.push((function, spline(&arc.curve, distance)?));
                 }
             }
         }
