@@ -93,7 +93,7 @@ impl Session {
     /// The file that definitions of a report would be exported to.
     ///
     /// # Errors
-    /// What is wrong with that, as [`Self::plan`] tells it; a name of no definition.
+    /// What is wrong with that, as a run tells it; a name of no definition.
     pub fn file_of(
         &self,
         report: &super::Report,
