@@ -5,31 +5,12 @@ use std::{
     sync::{Arc, Weak},
 };
 
-use super::{document::Draft, engine::EngineRun, prompt::Prompt};
+use super::{document::Draft, part_run::PartRun, prompt::Prompt};
 use crate::{eval::Defined, session::Report};
 
 /// Definitions of a document for each entry that is evaluated in part before all is evaluated again, which
 /// forgets what was replaced: with fewer more is kept in vain, with more more is evaluated.
 const DEFINITIONS_FOR_AN_ENTRY: usize = 8;
-
-/// What was evaluated for an entry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum EvaluatedExtent {
-    /// All of the document.
-    Whole,
-    /// What the entry concerns; the rest is as it was.
-    Part,
-}
-
-/// What came of an entry that was to be evaluated in part.
-pub(super) enum PartRun {
-    /// All of it holds, and nothing is to be told.
-    Holds(Box<EngineRun>),
-    /// It was stopped.
-    Stopped,
-    /// All of the document has to be evaluated, which also tells whatever there is to tell.
-    WantsAll,
-}
 
 impl Prompt {
     /// Whether the values of the document are those that its session would find: no file was read that may have

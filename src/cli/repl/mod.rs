@@ -15,6 +15,7 @@ mod graph;
 mod join;
 mod load;
 mod options;
+mod part_run;
 mod pipe;
 mod plot;
 mod prompt;

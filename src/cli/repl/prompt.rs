@@ -14,7 +14,7 @@ use super::{
     concerned::ConcernedPart,
     document::{Draft, PromptDocument, UndoHistory},
     engine::{Engine, EngineRun},
-    join::{EvaluatedExtent, PartRun},
+    part_run::{EvaluatedExtent, PartRun},
     show,
 };
 use crate::{
