@@ -29,7 +29,7 @@ impl Session {
     /// let stop = StopToken::default();
     /// let session = Session::default().stopped_by(stop.clone());
     /// // From wherever: a key, a window that closes.
-    /// std::thread::spawn(move || stop.stop());
+    /// std::thread::spawn(move || stop.stop()).join().unwrap();
     /// let report = session.run("demo", b"print sum([for i in 0..<1000000000: 1])", &NoFiles, &[]);
     /// assert_eq!(report.diagnostics[0].code, Code::Stopped);
     /// ```
