@@ -6,6 +6,7 @@
 
 mod analytic;
 mod basis;
+mod beside_edges;
 mod bodies;
 mod breakers;
 mod certificate;

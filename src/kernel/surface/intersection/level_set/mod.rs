@@ -12,12 +12,14 @@
 //! `parallel_pair`), in a small loop (`small_loop`),
 //! along lines (`tangency`) or are neighbours (`seam`), `curve_surface_intersection` the places that a curve shares with a surface
 //! (pieces of it in `bezier_segment`, what does not cross clearly in `curve_surface_touch`).
+//! `beside` sees edges and corners that lie on the other surface beside these,
 //! `verify` looks at every curve before it is told. `scaled` has all of that for the largest and the smallest, `far` for parameters
 //! far from zero.
 //!
 //! Sederberg & Meyers, *Loop detection in surface patch intersections*, CAGD 5 (1988); Patrikalakis &
 //! Maekawa, *Shape Interrogation for Computer Aided Design and Manufacturing*, §4.
 
+mod beside;
 mod bezier_segment;
 mod branch;
 mod branch_sample;

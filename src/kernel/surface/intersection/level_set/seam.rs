@@ -18,15 +18,6 @@ use crate::{
     tolerance::{ALONG_EDGE, BESIDE_EDGE, CONE_CLEARANCE},
 };
 
-/// Stretches of an edge that are looked at, whether they lie on another surface.
-const N_LOOKS: usize = 16;
-
-/// Tolerances from a curve within which a place is told by it.
-const TOLD: f64 = 4.0;
-
-/// Stretches between a place and a curve aside, at whose ends it is looked whether both surfaces are there.
-const STRIP_LOOKS: usize = 8;
-
 /// A stretch that an edge of one surface and an edge of the other have in common.
 #[derive(Clone, Debug)]
 pub(super) struct EdgeOverlap {
@@ -142,43 +133,6 @@ impl EdgeOverlap {
     pub(super) fn holds(&self, point: DVec3, distance: f64) -> bool {
         self.curve.closest(point, distance).distance <= distance
     }
-}
-
-/// A place of an edge of one of two surfaces that lies on the other there and is on none of the curves in which they are
-/// told to cross.
-pub(super) fn lost_edge(
-    curves: &[NurbsCurve],
-    surfaces: [&NurbsSurface; 2],
-    distance: f64,
-) -> Option<DVec3> {
-    let [a, b] = surfaces;
-    [(a, b), (b, a)].into_iter().find_map(|(own, other)| {
-        let is_on = |point: &DVec3| {
-            other.bounds().contains(*point, distance) && other.closest(*point).distance <= distance
-        };
-        // Where they part slowly a curve lies aside, and the strip between is on both.
-        let is_told = |point: DVec3| {
-            curves.iter().any(|curve| {
-                let foot = curve.closest(point, distance);
-                foot.distance <= TOLD * distance
-                    || (1..STRIP_LOOKS).all(|i| {
-                        let between = point.lerp(foot.point, i as f64 / STRIP_LOOKS as f64);
-                        other.closest(own.closest(between).point).distance <= distance
-                    })
-            })
-        };
-        own.edges().into_iter().find_map(|edge| {
-            let place = |i: usize| edge.point_at(edge.domain().at(i as f64 / N_LOOKS as f64));
-            let is_long = |i: usize| TOLD * distance < place(i).distance(place(i + 1));
-            (0..N_LOOKS).find_map(|i| {
-                let middle = edge.point_at(edge.domain().at((i as f64 + 0.5) / N_LOOKS as f64));
-                let is_lost = is_long(i)
-                    && [place(i), middle, place(i + 1)].iter().all(is_on)
-                    && !is_told(middle);
-                is_lost.then_some(middle)
-            })
-        })
-    })
 }
 
 fn end_of(surface: &NurbsSurface, edge: Edge) -> f64 {

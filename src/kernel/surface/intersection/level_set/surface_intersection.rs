@@ -14,12 +14,13 @@ use glam::DVec3;
 
 use super::{
     CommonScale, FITTING, LevelSet, PictureError,
+    beside::{EdgeOnOther, with_edges_beside},
     branch_sample::BranchSample,
     chain, cubic,
     elsewhere::with_seams_elsewhere,
     pair::SurfacePart,
     sample::{BranchSamples, VanishingPlace},
-    seam::{EdgeOverlap, lost_edge},
+    seam::EdgeOverlap,
     share::{SharedParts, found, halved},
     sphere,
     surface_pair::{PairParameters, SurfacePair},
@@ -46,7 +47,8 @@ impl Surface {
     /// and complete; they run along N × N of the two. Functions are crossed as splines that near.
     ///
     /// An edge that both have in common is that edge. Where the surfaces only touch in a point, that is
-    /// told among the touches.
+    /// told among the touches, and so is a corner that lies on the other surface; an edge that lies on it without
+    /// reaching it, both within the tolerance, is no curve and told among the contacts.
     ///
     /// # Errors
     /// [`PictureError::SurfacesRunTogether`] where they share more than curves; for functions as
@@ -59,9 +61,10 @@ impl Surface {
         // An edge on the other surface may be just beside it where a spline stands in for that.
         if [self, other].iter().any(|surface| matches!(surface, Self::Parametric(_))) {
             let size = a.bounds().diagonal().min(b.bounds().diagonal());
-            let distance = tolerance.distance_for(size);
-            if let Some(point) = lost_edge(&found.curves, [&a, &b], distance) {
-                return Err(PictureError::EdgeLost { point }.into());
+            let edges = EdgeOnOther::all(&found, [&a, &b], tolerance.distance_for(size));
+            let allowed = CONTACT_SHARE * tolerance.distance;
+            if let Some(lost) = edges.into_iter().find(|edge| edge.least_distance <= allowed) {
+                return Err(PictureError::EdgeLost { point: lost.point }.into());
             }
         }
         Ok(found)
@@ -103,7 +106,11 @@ fn splines_cross(
                 (refused, None) => Err(refused.into()),
             }
         }
-        found => found.map(|found| surfaces[0].with_exact_contacts(&surfaces[1], found, tolerance)),
+        found => {
+            let [a, b] = &surfaces;
+            let found = a.with_exact_contacts(b, found?, tolerance);
+            Ok(with_edges_beside(found, [a, b], tolerance))
+        }
     }
 }
 
@@ -385,5 +392,5 @@ fn common(crossing: &SurfacePair<'_>, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<
         [a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1]];
     let place = crossing.common([u, v, s, t], widths)?;
     let [u, v, s, t] = place.at;
-    (a.holds([u, v]) && b.holds([s, t])).then_some(place)
+    (a.holds([u, v]) && b.holds([s, t])).then(|| crossing.within_domains(place))
 }

@@ -313,6 +313,21 @@ impl SurfacePair<'_> {
         [a, b, c, d].map(|x| if x.is_finite() { x } else { 0.0 })
     }
 
+    /// The curve's place at the end of a domain for one just beyond it: where a curve leaves a surface at a small angle
+    /// that is a long way from its end.
+    pub(super) fn within_domains(&self, place: PairParameters) -> PairParameters {
+        let end_of = |parameter: usize| {
+            let value = within(self.domains[parameter], place.at[parameter]);
+            let mut found = self.common_where(place.at, PlaceCondition::At { parameter, value })?;
+            found.at[parameter] = value;
+            self.is_inside(found.at).then_some(found)
+        };
+        match self.is_inside(place.at) {
+            true => place,
+            false => (0..4).find_map(end_of).unwrap_or(place),
+        }
+    }
+
     /// How far beyond a domain is still on its end.
     fn slack(&self, parameter: usize) -> f64 {
         KNOT_RELATIVE * self.domains[parameter].length()

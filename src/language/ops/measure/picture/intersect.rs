@@ -24,7 +24,8 @@ op! {
     /// run along the product of the normal of `a` and that of `b`. They end at boundaries, and where several cross, as surfaces
     /// do where they touch. Neighbours meet in the edge that they share, which is among the curves as it
     /// is. A line along which they only touch is among the curves, and a warning
-    /// tells of it, and of a touch in a single point. Surfaces that share an area are an error, and so
+    /// tells of it, and of a touch in a single point, as of a corner. An edge that comes within the tolerance of
+    /// the other surface without reaching it is told by such a warning alone. Surfaces that share an area are an error, and so
     /// is a curve that lies in the surface for a stretch. A parametric surface is taken as a spline
     /// within a part of the tolerance. `report` of a curve tells whether it is proven, and how far from both surfaces it may be.
     /// Where a curve crosses clearly, inside of both, derivatives pass through.
