@@ -1,5 +1,5 @@
 //! The same work in other languages, whole processes: comprehensions of a million numbers, with five
-//! operations each and with built-in functions, in virote, in OpenSCAD and in CPython.
+//! operations each, with built-in functions, and with vectors, in virote, in OpenSCAD and in CPython.
 //!
 //! Each of them runs in turn, so that a busy machine burdens all alike; medians and their ratios
 //! are printed. A language that is not installed is said to be missing.
@@ -15,7 +15,11 @@ use std::{
 const N_ROUNDS: usize = 9;
 
 /// What is done with a million numbers.
-const WORK: [&str; 2] = ["five operations each", "two built-in functions and four operations each"];
+const WORK: [&str; 3] = [
+    "five operations each",
+    "two built-in functions and four operations each",
+    "the length of a vector and a scalar product each",
+];
 
 /// A language: its name, a script for each work and how a script is run.
 struct Language {
@@ -32,6 +36,7 @@ const LANGUAGES: &[Language] = &[
         scripts: [
             "let xs = [for i in 0..<1000000: (i * 2 + 1) / 3 - i * 0.5]\nprint len(xs), xs[-1]\n",
             "let xs = [for i in 0..<1000000: sqrt(i) * 2 + floor(i / 3) - 1]\nprint len(xs), xs[-1]\n",
+            "let xs = [for i in 0..<1000000: norm((i, 1, 2)) + dot((i, 2), (3, i))]\nprint len(xs), xs[-1]\n",
         ],
         ending: "geo",
         command: |script| {
@@ -50,6 +55,9 @@ const LANGUAGES: &[Language] = &[
             "xs = [for (i = [0:499999]) sqrt(i) * 2 + floor(i / 3) - 1,\n\
              for (i = [500000:999999]) sqrt(i) * 2 + floor(i / 3) - 1];\n\
              echo(len(xs), xs[999999]);\n",
+            "xs = [for (i = [0:499999]) norm([i, 1, 2]) + [i, 2] * [3, i],\n\
+             for (i = [500000:999999]) norm([i, 1, 2]) + [i, 2] * [3, i]];\n\
+             echo(len(xs), xs[999999]);\n",
         ],
         ending: "scad",
         command: |script| {
@@ -64,6 +72,10 @@ const LANGUAGES: &[Language] = &[
             "xs = [(i * 2 + 1) / 3 - i * 0.5 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
             "from math import floor, sqrt\n\
              xs = [sqrt(i) * 2 + floor(i / 3) - 1 for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
+            "from math import hypot\n\
+             def dot(a, b): return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]\n\
+             xs = [hypot(i, 1, 2) + dot((i, 2, 0), (3, i, 0)) for i in range(1000000)]\n\
+             print(len(xs), xs[-1])\n",
         ],
         ending: "py",
         command: |script| {

@@ -53,13 +53,13 @@ fn number() -> impl Strategy<Value = String> {
     })
 }
 
-fn run(comprehension: &str) -> Report {
+pub(super) fn run(comprehension: &str) -> Report {
     let script = format!("{DEFINITIONS}print {comprehension}");
     Session::default().run("law", script.as_bytes(), &NoFiles, &[])
 }
 
 /// What was printed, and all that was found, by code, text and place.
-fn outcome(report: &Report) -> (Option<String>, Vec<String>) {
+pub(super) fn outcome(report: &Report) -> (Option<String>, Vec<String>) {
     let printed = match report.events.first() {
         Some(Event::Printed(line)) => Some(line.value.to_string()),
         _ => None,
@@ -73,7 +73,7 @@ fn outcome(report: &Report) -> (Option<String>, Vec<String>) {
 
 /// As numbers in lanes, and as lists of one number, which the machine makes one by one; written
 /// so that everything stands at the same place.
-fn agree(source: &str, expr: &str) {
+pub(super) fn agree(source: &str, expr: &str) {
     let lanes = run(&format!("flatten([[for {source}:  {expr} ]])"));
     let one_by_one = run(&format!("flatten([ for {source}: [{expr}]])"));
     assert_eq!(outcome(&lanes), outcome(&one_by_one), "[for {source}: {expr}]");

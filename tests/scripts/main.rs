@@ -15,6 +15,7 @@ mod ide;
 mod incremental;
 mod kernel_docs;
 mod lanes;
+mod lanes_points;
 mod library;
 #[cfg(unix)]
 mod lsp;

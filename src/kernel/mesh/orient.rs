@@ -13,12 +13,19 @@ use glam::DVec3;
 use super::Mesh;
 use crate::{Bounds, tolerance::VANISHING_RELATIVE};
 
-/// A side of a triangle under its edge.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// A side of a triangle, from the lesser of its places.
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct OrientedSide {
-    edge: [u32; 2],
+    greater: u32,
     triangle: u32,
     is_forward: bool,
+}
+
+/// The sides of triangles, one lesser place after the other, those of each sorted; `starts` has the
+/// first of each, and the end.
+struct SidesByPlace {
+    starts: Vec<usize>,
+    sides: Vec<OrientedSide>,
 }
 
 /// Triangles in sets, each with whether it faces another way than the first of its set.
@@ -44,10 +51,10 @@ struct ClosedShell {
 #[must_use]
 pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
     let (places, triangles) = gathered(meshes);
-    let sides = sides(&triangles);
+    let sides = SidesByPlace::of(&triangles, places.len());
     let mut parts =
         TriangleSets { parents: (0..triangles.len() as u32).map(|i| (i, false)).collect() };
-    for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
+    for edge in sides.edges() {
         if let [a, b] = edge {
             parts.unite(a.triangle, b.triangle, a.is_forward == b.is_forward);
         }
@@ -123,8 +130,10 @@ impl Mesh {
 
 /// The places of all vertices, and the triangles of all meshes over these.
 fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-    let mut known: HashMap<[u64; 3], u32> = HashMap::new();
-    let (mut places, mut triangles) = (Vec::new(), Vec::new());
+    let most = meshes.iter().map(|mesh| mesh.n_vertices()).sum();
+    let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(most);
+    let mut places = Vec::with_capacity(most);
+    let mut triangles = Vec::with_capacity(meshes.iter().map(|mesh| mesh.n_triangles()).sum());
     for mesh in meshes {
         let mut name = |place: DVec3| {
             // Zero has no sign.
@@ -140,34 +149,57 @@ fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (places, triangles)
 }
 
-/// The sides of triangles that have three places, sorted by edges.
-fn sides(triangles: &[[u32; 3]]) -> Vec<OrientedSide> {
-    let mut sides = Vec::with_capacity(3 * triangles.len());
-    for (triangle, &[a, b, c]) in triangles.iter().enumerate() {
-        if a != b && b != c && c != a {
-            let side = |[a, b]: [u32; 2]| OrientedSide {
-                edge: [a.min(b), a.max(b)],
-                triangle: triangle as u32,
-                is_forward: a < b,
-            };
-            sides.extend([[a, b], [b, c], [c, a]].map(side));
+impl SidesByPlace {
+    /// Of the triangles that have three places.
+    fn of(triangles: &[[u32; 3]], n_places: usize) -> Self {
+        let have_three = |&(_, &[a, b, c]): &(usize, &[u32; 3])| a != b && b != c && c != a;
+        let all = || {
+            triangles.iter().enumerate().filter(have_three).flat_map(|(triangle, &[a, b, c])| {
+                [[a, b], [b, c], [c, a]].map(|[a, b]| {
+                    let triangle = triangle as u32;
+                    let side = OrientedSide { greater: a.max(b), triangle, is_forward: a < b };
+                    (a.min(b) as usize, side)
+                })
+            })
+        };
+        let mut starts = vec![0; n_places + 1];
+        all().for_each(|(lesser, _)| starts[lesser + 1] += 1);
+        for place in 0..n_places {
+            starts[place + 1] += starts[place];
         }
+        let mut sides = vec![OrientedSide::default(); starts[n_places]];
+        let mut next = starts.clone();
+        for (lesser, side) in all() {
+            sides[next[lesser]] = side;
+            next[lesser] += 1;
+        }
+        starts.windows(2).for_each(|ends| sides[ends[0]..ends[1]].sort_unstable());
+        Self { starts, sides }
     }
-    sides.sort_unstable();
-    sides
+
+    /// The sides of each edge, in the order of the edges' places.
+    fn edges(&self) -> impl Iterator<Item = &[OrientedSide]> {
+        let of_place = |ends: &[usize]| &self.sides[ends[0]..ends[1]];
+        let starts = self.starts.windows(2).map(of_place);
+        starts.flat_map(|sides| sides.chunk_by(|a, b| a.greater == b.greater))
+    }
 }
 
 /// For each triangle that stands for a part, whether that has an end somewhere, or one side only.
-fn open(sides: &[OrientedSide], found: &[(u32, bool)]) -> Vec<bool> {
+fn open(sides: &SidesByPlace, found: &[(u32, bool)]) -> Vec<bool> {
     let mut is_open = vec![false; found.len()];
-    for edge in sides.chunk_by(|a, b| a.edge == b.edge) {
-        let mut passing: Vec<(u32, bool)> = edge
-            .iter()
-            .map(|side| {
-                let (root, differs) = found[side.triangle as usize];
-                (root, side.is_forward != differs)
-            })
-            .collect();
+    let passing = |side: &OrientedSide| {
+        let (root, differs) = found[side.triangle as usize];
+        (root, side.is_forward != differs)
+    };
+    for edge in sides.edges() {
+        if let [a, b] = edge {
+            // They are of one part.
+            let ((root, way), (_, other)) = (passing(a), passing(b));
+            is_open[root as usize] |= way == other;
+            continue;
+        }
+        let mut passing: Vec<(u32, bool)> = edge.iter().map(passing).collect();
         passing.sort_unstable();
         for part in passing.chunk_by(|a, b| a.0 == b.0) {
             let n_forward = part.iter().filter(|(_, is_forward)| *is_forward).count();

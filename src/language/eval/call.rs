@@ -9,7 +9,7 @@ use super::{
     globals::Globals,
     ir::{CallExpr, Expr},
     machine::Machine,
-    number_call::{numbers_with_derivatives, on_few_numbers, switch},
+    number_call::{numbers_with_derivatives, on_few, switch},
     parametric::gone,
     relative_files::RelativeFiles,
 };
@@ -39,7 +39,10 @@ pub(super) fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
         _ => true,
     };
     let is_well = match &value {
-        Value::List(items) => items.iter().all(is_finite),
+        Value::List(items) => match items.numbers() {
+            Some((values, _)) => values.iter().all(|value| value.is_finite()),
+            None => items.iter().all(is_finite),
+        },
         Value::Record(record) => record.iter().all(|(_, value)| is_finite(value)),
         value => is_finite(value),
     };
@@ -117,7 +120,7 @@ impl Machine<'_> {
 
     #[cfg_attr(target_family = "wasm", inline(never))]
     fn builtin(&mut self, name: &str, ops: &[&'static Op], call: Call) -> Result<Value> {
-        if let Some(value) = on_few_numbers(ops, &call) {
+        if let Some(value) = on_few(ops, &call) {
             return Ok(value);
         }
         let first_name = ops.first().and_then(|op| op.params.first()).map(|param| param.name);

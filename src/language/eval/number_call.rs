@@ -1,4 +1,4 @@
-//! Calls of built-ins with numbers: plain ones that are computed at once, and what is decided by those that carry
+//! Calls of built-ins with numbers and vectors: plain ones that are computed at once, and what is decided by those that carry
 //! derivatives.
 
 use crate::{
@@ -9,10 +9,18 @@ use crate::{
 /// Arguments up to which a call of numbers alone is computed at once.
 const FEW: usize = 4;
 
-/// What an operation on numbers makes of plain ones that stand by position; none where more care is needed.
-pub(super) fn on_few_numbers(ops: &[&'static Op], call: &Call) -> Option<Value> {
+/// What an operation on numbers or vectors makes of plain ones that stand by position; none where more care is needed.
+pub(super) fn on_few(ops: &[&'static Op], call: &Call) -> Option<Value> {
     let ([op], n) = (ops, call.positional.len()) else { return None };
-    let of = op.on_numbers.filter(|_| call.named.is_empty() && (1..=FEW).contains(&n))?;
+    if !call.named.is_empty() || !(1..=FEW).contains(&n) {
+        return None;
+    }
+    if let Some(on_vectors) = op.on_vectors {
+        let mut args = [&call.positional[0].value; FEW];
+        args.iter_mut().zip(&call.positional).for_each(|(to, arg)| *to = &arg.value);
+        return on_vectors.of(&args[..n]);
+    }
+    let of = op.on_numbers?;
     let (mut values, mut dims) = ([0.0; FEW], [Dimension::NONE; FEW]);
     for (arg, (value, dim)) in call.positional.iter().zip(values.iter_mut().zip(&mut dims)) {
         let Value::Number(number) = arg.value else { return None };

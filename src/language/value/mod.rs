@@ -32,6 +32,7 @@ mod misplaced;
 mod number;
 mod numbers;
 mod on_numbers;
+mod on_vectors;
 mod op;
 mod packed;
 mod parameter_range;
@@ -89,6 +90,7 @@ pub use measured::{Area, Curvature, LengthPower, Open, Volume};
 pub use misplaced::turned_around;
 pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortest};
 pub use on_numbers::OnNumbers;
+pub use on_vectors::OnVectors;
 pub(crate) use op::op;
 pub use op::{
     Bounded, Caller, Comparison, Ctx, EnclosedFunction, Family, Op, OpParameter, Relation,

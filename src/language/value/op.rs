@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{
-    Call, Callback, Example, ExamplePicture, Files, OnNumbers, RefusalExample, Settling, Switch,
-    Type, Value, Witness,
+    Call, Callback, Example, ExamplePicture, Files, OnNumbers, OnVectors, RefusalExample, Settling,
+    Switch, Type, Value, Witness,
 };
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
@@ -256,6 +256,8 @@ pub struct Op {
     pub enclosed: Option<EnclosedFunction>,
     /// What it does to plain numbers, of an operation on these alone.
     pub on_numbers: Option<OnNumbers>,
+    /// What it does to plain vectors, of an operation on these alone.
+    pub on_vectors: Option<OnVectors>,
     /// Whether its result is affine in what it is made of, or bends by the product of two of them, so that
     /// derivatives pass through it: see [`through_affine`](super::through_affine).
     pub is_affine: bool,
@@ -316,11 +318,10 @@ macro_rules! op {
         $( example $code:literal => $prints:literal; )+
         $( refuses $misuse:literal => $says:literal; )*
         $( encloses $enclosed:path; )?
-        $( on_numbers $numbers:expr; )?
+        $( on_numbers $numbers:expr; )? $( on_vectors $vectors:expr; )?
         $( derivative $affine:ident $( unless $own:path )?; )?
         $( settling $settling:path; )?
-        $( picture $picture:literal; )?
-        $( scene $scene:literal; )?
+        $( picture $picture:literal; )? $( scene $scene:literal; )?
         $( names $named:literal; )?
     ) => {
         struct Args { $( $param: $ty, )* }
@@ -343,7 +344,7 @@ macro_rules! op {
             examples: &[ $( $crate::value::Example { code: $code, prints: $prints } ),+ ],
             refusals: &[ $( $crate::value::RefusalExample { code: $misuse, says: $says } ),* ],
             enclosed: $crate::value::op!(@enclosed $($enclosed)?),
-            on_numbers: $crate::value::op!(@value $($numbers)?),
+            on_numbers: $crate::value::op!(@value $($numbers)?), on_vectors: $crate::value::op!(@value $($vectors)?),
             is_affine: $crate::value::op!(@is_affine $($affine)?),
             is_of_shape: $crate::value::op!(@is_of_shape $($affine)?),
             has_given_control_points: $crate::value::op!(@has_given_control_points $($affine)?),

@@ -117,13 +117,13 @@ impl Type {
                 | Value::Frame(_),
             ) => true,
             (Self::List(of, _), Value::List(items)) => {
-                items.first().is_none_or(|item| of.accepts(item))
+                items.get(0).is_none_or(|item| of.accepts(&item))
             }
             (Self::Grid(of), Value::List(rows)) => {
-                rows.first().is_some_and(|row| Self::List(of, 0).accepts(row))
+                rows.get(0).is_some_and(|row| Self::List(of, 0).accepts(&row))
             }
             (Self::Geometry, Value::List(items)) => {
-                items.first().is_none_or(|item| self.accepts(item))
+                items.get(0).is_none_or(|item| self.accepts(&item))
             }
             // A table is run through by its rows.
             (Self::List(Self::Any, _), Value::Table(_)) => true,

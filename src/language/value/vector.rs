@@ -142,11 +142,29 @@ impl Vector {
         Ok(Self::new([x.over(divisor)?, y.over(divisor)?, z.over(divisor)?]))
     }
 
+    /// The scalar product of plain vectors.
+    #[must_use]
+    pub fn plain_dot(a: DVec3, b: DVec3) -> f64 {
+        a.x * b.x + a.y * b.y + a.z * b.z
+    }
+
+    /// The vector product of plain vectors.
+    #[must_use]
+    pub fn plain_cross(a: DVec3, b: DVec3) -> DVec3 {
+        DVec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+    }
+
+    /// The length of a plain vector, without overflow on the way.
+    #[must_use]
+    pub fn plain_norm(vector: DVec3) -> f64 {
+        libm::hypot(libm::hypot(vector.x, vector.y), vector.z)
+    }
+
     /// The scalar product.
     #[must_use]
     pub fn dot(&self, other: &Self) -> Real {
         match self.with(other) {
-            MatchedVectors::Plain(a, b) => Real::Plain(a.x * b.x + a.y * b.y + a.z * b.z),
+            MatchedVectors::Plain(a, b) => Real::Plain(Self::plain_dot(a, b)),
             MatchedVectors::Jets(a, b) => Real::Jet(Jet::dot(&a, &b)),
         }
     }
@@ -155,11 +173,7 @@ impl Vector {
     #[must_use]
     pub fn cross(&self, other: &Self) -> Self {
         match self.with(other) {
-            MatchedVectors::Plain(a, b) => Self::Plain(DVec3::new(
-                a.y * b.z - a.z * b.y,
-                a.z * b.x - a.x * b.z,
-                a.x * b.y - a.y * b.x,
-            )),
+            MatchedVectors::Plain(a, b) => Self::Plain(Self::plain_cross(a, b)),
             MatchedVectors::Jets(a, b) => {
                 let minor = |p: usize, q: usize| a[p].times(&b[q]).minus(&a[q].times(&b[p]));
                 Self::Jets(Box::new([minor(1, 2), minor(2, 0), minor(0, 1)]))
@@ -172,8 +186,7 @@ impl Vector {
     /// # Errors
     /// As for [`Jet::norm`].
     pub fn norm(&self) -> Result<Real, GeomError> {
-        let DVec3 { x, y, z } = self.value();
-        let length = libm::hypot(libm::hypot(x, y), z);
+        let length = Self::plain_norm(self.value());
         Ok(match self {
             Self::Plain(_) => Real::Plain(length),
             Self::Jets(jets) => Real::Jet(Jet::norm(jets.iter())?.with_value(length)),

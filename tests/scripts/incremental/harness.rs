@@ -48,6 +48,7 @@ fn operation(name: &'static str, run: fn(&mut Ctx<'_>, Call) -> virote::diag::Re
         refusals: &[],
         enclosed: None,
         on_numbers: None,
+        on_vectors: None,
         is_affine: false,
         is_of_shape: false,
         derives_itself: None,

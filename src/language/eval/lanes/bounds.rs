@@ -2,7 +2,7 @@
 
 use super::{
     compile::Compiler,
-    node::{LaneNode, TruthNode},
+    node::{LaneDefinition, LaneNode, TruthNode},
 };
 use crate::{
     eval::{function::ScriptFunction, machine::Machine},
@@ -45,7 +45,7 @@ fn number(node: &LaneNode, lanes: &mut [Option<Enclosure>]) -> Option<Enclosure>
             let [left, right] = &**sides;
             (row.enclosure)(&number(left, lanes)?, &number(right, lanes)?)
         }
-        LaneNode::Builtin(..) => None,
+        LaneNode::Builtin(..) | LaneNode::OfVectors(..) | LaneNode::Coordinate(..) => None,
         LaneNode::Enclosed(enclosed, inner) => enclosed(&number(inner, lanes)?),
         LaneNode::Choose(condition, sides) => {
             let [yes, no] = &**sides;
@@ -58,9 +58,12 @@ fn number(node: &LaneNode, lanes: &mut [Option<Enclosure>]) -> Option<Enclosure>
     }
 }
 
-fn define(definitions: &[(usize, LaneNode)], lanes: &mut [Option<Enclosure>]) {
-    for (variable, node) in definitions {
-        lanes[*variable] = number(node, lanes);
+fn define(definitions: &[LaneDefinition], lanes: &mut [Option<Enclosure>]) {
+    for definition in definitions {
+        // Nothing tells bounds of points.
+        if let LaneDefinition::Number(variable, node) = definition {
+            lanes[*variable] = number(node, lanes);
+        }
     }
 }
 

@@ -1,6 +1,6 @@
-//! Compiles expressions of numbers to lanes; `None` wherever the machine is needed.
+//! Compiles expressions of numbers and points to lanes; `None` wherever the machine is needed.
 
-use super::node::{LaneBody, LaneNode, TruthNode};
+use super::node::{LaneBody, LaneDefinition, LaneNode, PointNode, TruthNode};
 use crate::{
     eval::{
         function::ScriptFunction,
@@ -19,22 +19,25 @@ const MOST_CALLS: usize = 6;
 
 /// What is known of an expression before any element is.
 #[derive(Clone, Debug)]
-enum LaneInput {
+pub(super) enum LaneInput {
     /// A value that is the same for all elements.
     Value(Value),
     /// A lane of numbers.
     Lane(usize, Dimension),
+    /// Three lanes of coordinates.
+    Point([usize; 3]),
 }
 
 /// A compiled expression.
-enum Compiled {
+pub(super) enum Compiled {
     LaneInput(LaneInput),
     Number(LaneNode, Dimension),
     TruthNode(TruthNode),
+    Point(PointNode),
 }
 
 /// A frame of the machine as far as it differs from the one on its stack.
-struct LaneFrame<'f> {
+pub(super) struct LaneFrame<'f> {
     /// `None` for the frame in which the comprehension stands.
     function: Option<&'f ScriptFunction>,
     slots: Vec<(usize, LaneInput)>,
@@ -48,7 +51,7 @@ pub(super) struct Compiler<'m> {
     n_calls: usize,
     /// Whether bounds are wanted alone: then built-ins that tell bounds are taken, and dimensions, which
     /// change no bounds, are not looked at.
-    is_for_bounds: bool,
+    pub(super) is_for_bounds: bool,
 }
 
 impl<'m> Compiler<'m> {
@@ -70,10 +73,11 @@ impl<'m> Compiler<'m> {
         Some((node, compiler.n_variables))
     }
 
-    /// A compiler in the running frame, whose slot `variable` is lane 0.
-    pub(super) fn new(machine: &'m Machine<'_>, variable: usize, dim: Dimension) -> Self {
-        let slots = vec![(variable, LaneInput::Lane(0, dim))];
-        Self { machine, slots, n_variables: 1, n_nested: 0, n_calls: 0, is_for_bounds: false }
+    /// A compiler in the running frame, whose slot `variable` has the first lanes.
+    pub(super) fn new(machine: &'m Machine<'_>, variable: usize, known: LaneInput) -> Self {
+        let n_variables = if matches!(known, LaneInput::Point(_)) { 3 } else { 1 };
+        let slots = vec![(variable, known)];
+        Self { machine, slots, n_variables, n_nested: 0, n_calls: 0, is_for_bounds: false }
     }
 
     pub(super) fn n_variables(&self) -> usize {
@@ -87,23 +91,15 @@ impl<'m> Compiler<'m> {
 
     pub(super) fn body(&mut self, expr: &Expr) -> Option<LaneBody> {
         let mut frame = LaneFrame { function: None, slots: self.slots.clone() };
-        if let ExprKind::Point(coordinates) = &expr.kind {
-            let mut coordinate = |expr: &Expr| {
-                let (node, dim) = self.expr(expr, &mut frame)?.number()?;
-                (dim.is_as_length()).then_some(node)
-            };
-            let [x, y, z] = &**coordinates;
-            return Some(LaneBody::Point(Box::new([
-                coordinate(x)?,
-                coordinate(y)?,
-                coordinate(z)?,
-            ])));
+        let compiled = self.expr(expr, &mut frame)?;
+        if compiled.is_point() {
+            return Some(LaneBody::Point(compiled.point()?));
         }
-        let (node, dim) = self.expr(expr, &mut frame)?.number()?;
+        let (node, dim) = compiled.number()?;
         Some(LaneBody::Number(node, dim))
     }
 
-    fn expr(&mut self, expr: &Expr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
+    pub(super) fn expr(&mut self, expr: &Expr, frame: &mut LaneFrame<'_>) -> Option<Compiled> {
         self.n_nested += 1;
         let most = MOST_NESTED.min(self.machine.depth_left());
         let compiled = if self.n_nested <= most { self.dispatch(expr, frame) } else { None };
@@ -131,6 +127,9 @@ impl<'m> Compiler<'m> {
             ExprKind::Unary(op, operand) => {
                 let operand = self.expr(operand, frame)?;
                 Some(match unary_meaning(*op) {
+                    UnaryMeaning::Arithmetic(row) if operand.is_point() => {
+                        Compiled::Point(PointNode::Unary(row, Box::new(operand.point()?)))
+                    }
                     UnaryMeaning::Arithmetic(row) => {
                         let (node, dim) = operand.number()?;
                         Compiled::Number(LaneNode::Unary(row, Box::new(node)), dim)
@@ -152,6 +151,8 @@ impl<'m> Compiler<'m> {
             }
             ExprKind::Block(block) => self.block(block, frame),
             ExprKind::Call(call) => self.call(call, frame),
+            ExprKind::Point(coordinates) => self.coordinates(coordinates, frame),
+            ExprKind::Field(subject, name, _) => self.expr(subject, frame)?.coordinate(name),
             _ => None,
         }
     }
@@ -177,6 +178,12 @@ impl<'m> Compiler<'m> {
         if let BinaryMeaning::Logic { decided_by } = meaning {
             let sides = Box::new([left.truth()?, right.truth()?]);
             return Some(Compiled::TruthNode(TruthNode::Logic { decided_by, sides }));
+        }
+        if left.is_point() || right.is_point() {
+            return match meaning {
+                BinaryMeaning::Arithmetic(row) => left.with_points(row, right),
+                _ => None,
+            };
         }
         let ((left, a), (right, b)) = (left.number()?, right.number()?);
         match meaning {
@@ -213,17 +220,19 @@ impl<'m> Compiler<'m> {
     }
 
     /// What a name stands for; a computation gets a lane of its own.
-    fn named(
-        &mut self,
-        compiled: Compiled,
-        lanes: &mut Vec<(usize, LaneNode)>,
-    ) -> Option<LaneInput> {
+    fn named(&mut self, compiled: Compiled, lanes: &mut Vec<LaneDefinition>) -> Option<LaneInput> {
         match compiled {
             Compiled::LaneInput(known) => Some(known),
             Compiled::Number(node, dim) => {
-                lanes.push((self.n_variables, node));
+                lanes.push(LaneDefinition::Number(self.n_variables, node));
                 self.n_variables += 1;
                 Some(LaneInput::Lane(self.n_variables - 1, dim))
+            }
+            Compiled::Point(node) => {
+                let variables = [0, 1, 2].map(|axis| self.n_variables + axis);
+                lanes.push(LaneDefinition::Point(variables, node));
+                self.n_variables += 3;
+                Some(LaneInput::Point(variables))
             }
             Compiled::TruthNode(_) => None,
         }
@@ -239,6 +248,9 @@ impl<'m> Compiler<'m> {
         let &[op] = ops else { return None };
         if call.is_partial || call.args.iter().any(|arg| arg.label.is_some()) {
             return None;
+        }
+        if let Some(on_vectors) = op.on_vectors {
+            return self.of_vectors(on_vectors, call, frame);
         }
         let mut nodes = Vec::with_capacity(call.args.len());
         let mut dims = Vec::with_capacity(call.args.len());
@@ -305,7 +317,7 @@ fn is_written_number(expr: &Expr) -> bool {
 }
 
 impl Compiled {
-    fn number(self) -> Option<(LaneNode, Dimension)> {
+    pub(super) fn number(self) -> Option<(LaneNode, Dimension)> {
         match self {
             Self::Number(node, dim) => Some((node, dim)),
             Self::LaneInput(LaneInput::Lane(variable, dim)) => {
@@ -329,9 +341,13 @@ impl Compiled {
     }
 
     /// The same after some lanes were computed and so many functions called.
-    fn after(self, lanes: Vec<(usize, LaneNode)>, n_calls: u64) -> Option<Self> {
+    fn after(self, lanes: Vec<LaneDefinition>, n_calls: u64) -> Option<Self> {
         if lanes.is_empty() && n_calls == 0 {
             return Some(self);
+        }
+        if self.is_point() {
+            let node = Box::new(self.point()?);
+            return Some(Self::Point(PointNode::Let(lanes, node, n_calls)));
         }
         if let Self::TruthNode(truth) = self {
             return Some(Self::TruthNode(TruthNode::Let(lanes, Box::new(truth), n_calls)));

@@ -1,6 +1,6 @@
-//! Comprehensions over numbers, many elements at a time.
+//! Comprehensions over numbers and points, many elements at a time.
 //!
-//! A comprehension whose body computes numbers from its variable is compiled to passes over
+//! A comprehension whose body computes numbers or points from its variable is compiled to passes over
 //! *lanes*, blocks of numbers: each operation works on a whole block before the next one begins.
 //! That can be done because a dimension follows from dimensions alone, so that all elements share
 //! it, and because nothing in the language has side effects.
@@ -12,8 +12,10 @@
 
 mod bounds;
 mod compile;
+mod compile_points;
 mod node;
 mod run;
+mod run_points;
 
 use std::ops::Range;
 
@@ -24,7 +26,7 @@ use super::{
 };
 use crate::value::{Dimension, List, Number, Value};
 pub(super) use bounds::bounded;
-use compile::Compiler;
+use compile::{Compiler, LaneInput};
 use node::{LaneBody, TruthNode};
 use run::Runner;
 
@@ -48,26 +50,50 @@ pub(super) struct Lanes {
 enum LaneSource {
     Integers(i64, usize),
     Numbers(List),
+    /// Points, as far as known.
+    Points(List),
 }
 
 impl LaneSource {
     fn len(&self) -> usize {
         match self {
             Self::Integers(_, count) => *count,
-            Self::Numbers(list) => list.len(),
+            Self::Numbers(list) | Self::Points(list) => list.len(),
         }
     }
 
-    fn fill(&self, range: &Range<usize>, lane: &mut Vec<f64>) {
-        lane.clear();
+    /// Sets the lanes of the variable to the elements of a block; `None` where one of them is no point.
+    fn fill(&self, range: &Range<usize>, runner: &mut Runner) -> Option<()> {
         match self {
             Self::Integers(start, _) => {
-                lane.extend(range.clone().map(|i| (start + i as i64) as f64));
+                *runner.lane(0) = range.clone().map(|i| (start + i as i64) as f64).collect();
             }
             Self::Numbers(list) => {
-                let (values, _) = list.numbers().unwrap_or((&[], Dimension::NONE));
-                lane.extend_from_slice(&values[range.clone()]);
+                let (values, _) = list.numbers()?;
+                *runner.lane(0) = values[range.clone()].to_vec();
             }
+            Self::Points(list) => {
+                let points = || list[range.clone()].iter();
+                if !points().all(|value| matches!(value, Value::Point(_))) {
+                    return None;
+                }
+                for axis in 0..3 {
+                    let coordinate = |value: &Value| match value {
+                        Value::Point(point) => Some(point[axis]),
+                        _ => None,
+                    };
+                    *runner.lane(axis) = points().filter_map(coordinate).collect();
+                }
+            }
+        }
+        Some(())
+    }
+
+    /// The variable that runs through them, whose lanes come first.
+    fn variable(&self, dim: Dimension) -> LaneInput {
+        match self {
+            Self::Points(_) => LaneInput::Point([0, 1, 2]),
+            Self::Integers(..) | Self::Numbers(_) => LaneInput::Lane(0, dim),
         }
     }
 }
@@ -116,16 +142,19 @@ impl Lanes {
                 let (start, count) = range.integers()?;
                 (LaneSource::Integers(start, count), Dimension::NONE)
             }
-            Value::List(list) => {
-                let (_, dim) = list.numbers()?;
-                (LaneSource::Numbers(list.clone()), dim)
-            }
+            Value::List(list) => match list.numbers() {
+                Some((_, dim)) => (LaneSource::Numbers(list.clone()), dim),
+                None if matches!(list.first(), Some(Value::Point(_))) => {
+                    (LaneSource::Points(list.clone()), Dimension::NONE)
+                }
+                None => return None,
+            },
             _ => return None,
         };
         if source.len() < WORTH_COMPILING {
             return None;
         }
-        let mut compiler = Compiler::new(machine, generator.slot, dim);
+        let mut compiler = Compiler::new(machine, generator.slot, source.variable(dim));
         let condition = match &generator.condition {
             Some(condition) => Some(compiler.condition(condition)?),
             None => None,
@@ -146,14 +175,14 @@ impl Lanes {
             LaneSource::Integers(start, _) => {
                 Items::Integers(start + range.start as i64, range.len())
             }
-            LaneSource::Numbers(list) => Items::of(list, range),
+            LaneSource::Numbers(list) | LaneSource::Points(list) => Items::of(list, range),
         }
     }
 
     /// What a block comes to and in how many steps; `None` where only the machine can tell.
     pub(super) fn run(&self, range: &Range<usize>) -> Option<(BlockResult, u64)> {
         let mut runner = Runner::new(self.n_variables, range.len());
-        self.source.fill(range, runner.lane(0));
+        self.source.fill(range, &mut runner)?;
         let mut steps = range.len() as u64;
         if let Some(condition) = &self.condition {
             let mask = runner.truth(condition)?;
@@ -168,12 +197,8 @@ impl Lanes {
                 runner.number(node, &mut out)?;
                 BlockResult::Numbers(out, *dim)
             }
-            LaneBody::Point(coordinates) => {
-                let mut lanes = [vec![0.0; n], vec![0.0; n], vec![0.0; n]];
-                for (coordinate, lane) in coordinates.iter().zip(&mut lanes) {
-                    runner.number(coordinate, lane)?;
-                }
-                let [x, y, z] = lanes;
+            LaneBody::Point(node) => {
+                let [x, y, z] = runner.point(node)?;
                 let point = |i: usize| Value::Point(glam::DVec3::new(x[i], y[i], z[i]));
                 BlockResult::Values((0..n).map(point).collect())
             }

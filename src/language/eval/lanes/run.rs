@@ -1,6 +1,6 @@
 //! Runs compiled comprehensions over a block of lanes.
 
-use super::node::{LaneNode, TruthNode};
+use super::node::{LaneDefinition, LaneNode, TruthNode};
 
 /// The lanes of a block.
 #[derive(Debug)]
@@ -22,6 +22,11 @@ impl Runner {
     /// Calls so far, a step for each element.
     pub(super) fn steps(&self) -> u64 {
         self.steps
+    }
+
+    /// One call for each element.
+    pub(super) fn count_calls(&mut self) {
+        self.steps += self.len as u64;
     }
 
     pub(super) fn lane(&mut self, variable: usize) -> &mut Vec<f64> {
@@ -56,8 +61,7 @@ impl Runner {
                         (row.on_lane)(out, &self.lanes[*variable]);
                     }
                     _ => {
-                        let mut other = vec![0.0; self.len];
-                        self.number(right, &mut other)?;
+                        let other = self.computed(right)?;
                         (row.on_lane)(out, &other);
                     }
                 }
@@ -66,17 +70,20 @@ impl Runner {
             LaneNode::Builtin(function, args) => {
                 let (first, others) = &**args;
                 self.number(first, out)?;
-                let lane = |node| {
-                    let mut lane = vec![0.0; self.len];
-                    self.number(node, &mut lane)?;
-                    Some(lane)
-                };
-                let others: Vec<Vec<f64>> = others.iter().map(lane).collect::<Option<_>>()?;
+                let others: Vec<Vec<f64>> =
+                    others.iter().map(|node| self.computed(node)).collect::<Option<_>>()?;
                 function.apply(out, &others);
-                self.steps += self.len as u64;
+                self.count_calls();
                 return are_finite(out).then_some(());
             }
             LaneNode::Enclosed(..) => return None,
+            LaneNode::OfVectors(function, points) => {
+                self.of_vectors(function, points, out)?;
+                return are_finite(out).then_some(());
+            }
+            LaneNode::Coordinate(axis, point) => {
+                out.copy_from_slice(&self.point(point)?[*axis]);
+            }
             LaneNode::Choose(condition, sides) => self.choose(condition, sides, out)?,
             LaneNode::Let(definitions, value, n_calls) => {
                 self.define(definitions, *n_calls)?;
@@ -86,12 +93,26 @@ impl Runner {
         Some(())
     }
 
-    fn define(&mut self, definitions: &[(usize, LaneNode)], n_calls: u64) -> Option<()> {
+    /// The lane of a number that is computed for each element.
+    pub(super) fn computed(&mut self, node: &LaneNode) -> Option<Vec<f64>> {
+        let mut lane = vec![0.0; self.len];
+        self.number(node, &mut lane)?;
+        Some(lane)
+    }
+
+    pub(super) fn define(&mut self, definitions: &[LaneDefinition], n_calls: u64) -> Option<()> {
         self.steps += n_calls * self.len as u64;
-        for (variable, node) in definitions {
-            let mut lane = vec![0.0; self.len];
-            self.number(node, &mut lane)?;
-            self.lanes[*variable] = lane;
+        for definition in definitions {
+            match definition {
+                LaneDefinition::Number(variable, node) => {
+                    self.lanes[*variable] = self.computed(node)?;
+                }
+                LaneDefinition::Point(variables, node) => {
+                    for (variable, lane) in variables.iter().zip(self.point(node)?) {
+                        self.lanes[*variable] = lane;
+                    }
+                }
+            }
         }
         Some(())
     }
@@ -156,7 +177,7 @@ impl Runner {
 }
 
 /// Whether no number of a lane is infinite or none at all.
-fn are_finite(lane: &[f64]) -> bool {
+pub(super) fn are_finite(lane: &[f64]) -> bool {
     /// All bits of the exponent, which only those have.
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     !lane.iter().fold(false, |bad, value| bad | (value.to_bits() & EXPONENT == EXPONENT))

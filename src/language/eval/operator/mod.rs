@@ -6,7 +6,7 @@
 
 mod arithmetic;
 mod mistake;
-mod operand;
+pub(super) mod operand;
 pub(super) mod table;
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Vector, op},
+    value::{Ctx, OnVectors, Vector, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
         b: Vector,
     }
     example "cross((1, 0), (0, 1))" => "(0, 0, 1)";
+    on_vectors OnVectors::VectorOfTwo(Vector::plain_cross);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {

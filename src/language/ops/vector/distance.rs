@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{At, Ctx, Length, Real, Vector, op},
+    value::{At, Ctx, Dimension, Length, OnVectors, Real, Vector, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
         b: Vector,
     }
     example "distance((1, 1), (4, 5))" => "5";
+    on_vectors OnVectors::NumberOfTwo(Dimension::LENGTH, |a, b| Vector::plain_norm(b - a));
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Length<Real>> {

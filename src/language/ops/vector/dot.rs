@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Open, Real, Vector, op},
+    value::{Ctx, Dimension, OnVectors, Open, Real, Vector, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
         b: Vector,
     }
     example "dot((1, 2, 3), (4, 5, 6))" => "32";
+    on_vectors OnVectors::NumberOfTwo(Dimension::OPEN, Vector::plain_dot);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Open<Real>> {

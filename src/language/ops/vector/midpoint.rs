@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Real, Vector, op},
+    value::{Ctx, OnVectors, Real, Vector, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
         b: Vector,
     }
     example "midpoint((0, 0), (2, 4))" => "(1, 2, 0)";
+    on_vectors OnVectors::VectorOfTwo(|a, b| (a + b) * 0.5);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {

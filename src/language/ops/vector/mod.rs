@@ -38,3 +38,8 @@ fn direction(vector: Spanned<Vector>) -> Result<Vector> {
     }
     vector.norm().and_then(|length| vector.over(&length)).at(span)
 }
+
+/// The same of a plain one; no numbers where it has no direction.
+fn plain_direction(vector: DVec3) -> DVec3 {
+    vector / Vector::plain_norm(vector)
+}

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{At, Ctx, Open, Real, Vector, op},
+    value::{At, Ctx, Dimension, OnVectors, Open, Real, Vector, op},
 };
 
 op! {
@@ -12,6 +12,7 @@ op! {
         v: Vector,
     }
     example "norm((3, 4))" => "5";
+    on_vectors OnVectors::NumberOfOne(Dimension::OPEN, Vector::plain_norm);
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Open<Real>> {

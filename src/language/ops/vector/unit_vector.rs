@@ -1,9 +1,9 @@
 //! `unit_vector`: the direction of a vector.
 
-use super::direction;
+use super::{direction, plain_direction};
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, Vector, op},
+    value::{Ctx, OnVectors, Vector, op},
 };
 
 op! {
@@ -14,6 +14,7 @@ op! {
     }
     example "unit_vector((0, 5))" => "(0, 1, 0)";
     refuses "unit_vector((0, 0))" => "E0607: a vector of length zero has no direction";
+    on_vectors OnVectors::VectorOfOne(plain_direction);
 }
 
 fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vector> {
