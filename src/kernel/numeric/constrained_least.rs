@@ -49,7 +49,32 @@ impl LeastProblem<'_> {
         functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     ) -> Result<ConstrainedLeast, E> {
         let mut asked = CountedFunctions::new(functions);
-        let mut search = LeastSearch::new(*self, &mut asked)?;
+        let (mut unknowns, mut values, mut end) = self.searched(&mut asked)?;
+        if end == LeastEnd::Unbounded {
+            // It may have been far beside the unknowns at the start alone.
+            let beyond = LeastProblem { start: &unknowns, ..*self }.searched(&mut asked)?;
+            if beyond.2 == LeastEnd::Settled && self.has_values_around(&beyond.0, &mut asked)? {
+                (unknowns, values, end) = beyond;
+            }
+        }
+        Ok(ConstrainedLeast {
+            unknowns,
+            values,
+            end,
+            n_evaluations: asked.n_evaluations,
+            has_differences: asked.has_differences,
+        })
+    }
+
+    /// Where one search from the start ends, and how.
+    fn searched<F, E>(
+        &self,
+        asked: &mut CountedFunctions<F>,
+    ) -> Result<(Vec<f64>, Vec<f64>, LeastEnd), E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let mut search = LeastSearch::new(*self, asked)?;
         let mut end = search.descend()?;
         let mut n_restarts = 0;
         loop {
@@ -70,14 +95,7 @@ impl LeastProblem<'_> {
         if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && search.is_at_pole()? {
             end = LeastEnd::Pole;
         }
-        let (unknowns, values) = (search.place, search.values);
-        Ok(ConstrainedLeast {
-            unknowns,
-            values,
-            end,
-            n_evaluations: asked.n_evaluations,
-            has_differences: asked.has_differences,
-        })
+        Ok((search.place, search.values, end))
     }
 
     /// The best of some places that are spread over the bounds, all of which are finite: the one with the

@@ -43,14 +43,7 @@ where
         asked: &'a mut CountedFunctions<F>,
     ) -> Result<Self, E> {
         let place: Vec<f64> = clamped(problem.start, problem.bounds);
-        let size = magnitude(&place);
-        let unit = |(x, [low, high]): (&f64, &[f64; 2])| match high - low {
-            width if width.is_finite() && 0.0 < width => width,
-            _ if *x != 0.0 => x.abs(),
-            _ if 0.0 < size => size,
-            _ => 1.0,
-        };
-        let units = place.iter().zip(problem.bounds).map(unit).collect();
+        let units = problem.units(&place);
         let values = asked.values(&place)?;
         let n_conditions = values.len() - 1;
         let weights = vec![1.0; values.len()];
@@ -65,7 +58,10 @@ where
             slopes: Vec::new(),
             trail: LeastTrail::default(),
         };
-        let gradients = search.gradients()?;
+        let mut gradients = search.gradients()?;
+        if search.widen_units(&gradients)? {
+            gradients = search.gradients()?;
+        }
         for (idx, gradient) in gradients.iter().enumerate() {
             let steepness = magnitude(gradient);
             if 0.0 < steepness && steepness.is_finite() {
