@@ -95,6 +95,9 @@ impl LeastProblem<'_> {
         if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && search.is_at_pole()? {
             end = LeastEnd::Pole;
         }
+        if end == LeastEnd::Settled && search.only_tends()? {
+            end = LeastEnd::Unattained;
+        }
         Ok((search.place, search.values, end))
     }
 
@@ -353,6 +356,15 @@ mod tests {
         assert_eq!(found(tends, &[3.0], &[FREE], 0).end, LeastEnd::Unattained);
         let along = |x: &[f64]| vec![x[0], x[0] * x[1] - 1.0, x[0]];
         assert_eq!(found(along, &[1.0, 1.0], &[FREE; 2], 0).end, LeastEnd::Unattained);
+        // Rounding ends it before it is far.
+        let branch = |x: &[f64]| vec![(1.0 + x[0] * x[0]).sqrt() - x[0]];
+        assert_eq!(found(branch, &[1.0], &[FREE], 0).end, LeastEnd::Unattained);
+        let turns = |x: &[f64]| vec![1.0 / x[0] + 1e-14 * x[0]];
+        let slow = found(turns, &[1.0], &[FREE], 0);
+        assert!(
+            slow.end == LeastEnd::Settled && (slow.unknowns[0] / 1e7 - 1.0).abs() < 1e-3,
+            "{slow:?}"
+        );
         let falls = |x: &[f64]| vec![-x[0].sqrt()];
         assert_eq!(found(falls, &[3.0], &[FREE], 0).end, LeastEnd::Unbounded);
     }
