@@ -26,7 +26,7 @@ use super::{
 };
 use crate::{
     disk::{OutputTarget, Script, ScriptFiles, TargetRefusal, replace},
-    eval::{Schema, Setting},
+    eval::{Schema, Setting, unknown_parameter},
     export::io_reason,
     limits::work::StopToken,
     session::Session,
@@ -244,9 +244,9 @@ fn check_wants(
 
 /// Refuses settings that no parameter takes, as the first variant would.
 fn check_settings(settings: &[Setting], schema: &Schema) -> Result<(), String> {
-    let is_known = |name: &str| schema.parameters.iter().any(|one| one.name == name);
-    match settings.iter().find(|setting| !is_known(&setting.name)) {
-        Some(setting) => Err(format!("the script has no parameter `{}`", setting.name)),
+    let names = schema.names();
+    match settings.iter().find(|setting| !names.contains(&setting.name.as_str())) {
+        Some(setting) => Err(unknown_parameter(&setting.name, &names)),
         None => Ok(()),
     }
 }

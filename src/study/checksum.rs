@@ -18,6 +18,12 @@ impl Checksum {
         }
     }
 
+    /// Adds a text with its length, so that no two rows of texts are one.
+    pub(super) fn add_text(&mut self, text: &str) {
+        self.add(format!("{}:", text.len()).as_bytes());
+        self.add(text.as_bytes());
+    }
+
     pub(super) fn text(self) -> String {
         format!("{:032x}", self.0)
     }

@@ -106,8 +106,7 @@ impl Plan {
             return Err("the plan has no rows: nothing is to be evaluated".to_owned());
         }
         for column in &self.columns {
-            // With its unit and its role: under another header the same cells are other values.
-            sum.add(format!("{column:?}").as_bytes());
+            column.add_to(&mut sum);
         }
         Ok((n_variants, sum.text()))
     }
@@ -134,7 +133,7 @@ impl Plan {
         let mut sum = Checksum::default();
         for (column, values) in self.columns.iter().zip(values) {
             values.kinds().try_for_each(|cell| column.check(&cell))?;
-            sum.add(format!("{values:?}").as_bytes());
+            values.add_to(&mut sum);
         }
         Ok((values.iter().map(VariedValues::count).product(), sum))
     }
@@ -250,13 +249,10 @@ impl Plan {
 /// Adds the cells of a row to a sum.
 fn add_row(row: &PlanRow, sum: &mut Checksum) {
     for cell in &row.cells {
-        // With its length, so that no two rows are one; an empty text is not what is missing.
+        // An empty text is not what is missing.
         match cell {
             None => sum.add(b"-"),
-            Some(cell) => {
-                sum.add(format!("{}:", cell.len()).as_bytes());
-                sum.add(cell.as_bytes());
-            }
+            Some(cell) => sum.add_text(cell),
         }
     }
 }

@@ -1,9 +1,11 @@
 //! A column of a plan: the parameter that it gives values, its unit, and what its cells may hold.
 
-use super::vary::{number_and_power, number_and_unit};
+use super::{
+    checksum::Checksum,
+    vary::{number_and_power, number_and_unit},
+};
 use crate::{
-    diag::nearest,
-    eval::{Schema, SchemaParameter},
+    eval::{Schema, SchemaParameter, unknown_parameter},
     syntax::ast::Unit,
     value::{Dimension, shortest},
 };
@@ -61,7 +63,7 @@ impl PlanColumn {
                 self.role = ColumnRole::Id;
                 return Ok(());
             }
-            return Err(unknown(name, &schema.parameters));
+            return Err(unknown_parameter(name, &schema.names()));
         };
         self.role = ColumnRole::Parameter(parameter.kind);
         self.keeps_blanks = parameter.kind == TEXT && parameter.allowed.is_none();
@@ -94,6 +96,17 @@ impl PlanColumn {
                 "column `{name}` of the plan is in {unit}, but the parameter is of the kind {kind}"
             )),
         }
+    }
+
+    /// Adds to a sum what its cells mean: under another header the same ones are other values.
+    pub(super) fn add_to(&self, sum: &mut Checksum) {
+        sum.add_text(&self.name);
+        sum.add_text(self.unit.as_deref().unwrap_or_default());
+        match self.role {
+            ColumnRole::Id => sum.add_text("the id of a variant"),
+            ColumnRole::Parameter(kind) => sum.add_text(kind),
+        }
+        sum.add_text(if self.keeps_blanks { "blanks count" } else { "" });
     }
 
     /// What is wrong with a cell wherever it stands; a value that the script refuses is a result.
@@ -155,19 +168,6 @@ fn is_power(unit: &str, parameter: &SchemaParameter) -> bool {
     let is_length = Unit::from_name(base).is_some_and(|base| base.millimetres().is_some());
     let of = |dim: Dimension| dim.suffix(base).is_some_and(|own| own == unit);
     is_length && power.parse::<i8>().is_ok() && parameter.dimension().is_some_and(of)
-}
-
-fn unknown(name: &str, parameters: &[SchemaParameter]) -> String {
-    let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-    match (nearest(name, names.iter().copied()), &names[..]) {
-        (Some(near), _) => {
-            format!("the script has no parameter `{name}`; did you mean `{near}`?")
-        }
-        (None, []) => format!("the script has no parameter `{name}`, nor any other"),
-        (None, _) => {
-            format!("the script has no parameter `{name}`; it has {}", names.join(", "))
-        }
-    }
 }
 
 /// `x [mm]` is `x` in `mm`.

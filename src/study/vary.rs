@@ -1,5 +1,6 @@
 //! `NAME=FROM..TO:COUNT` and `NAME=A,B,C`: the values of one parameter in a grid.
 
+use super::checksum::Checksum;
 use crate::value::shortest;
 
 /// A parameter with the values that it takes.
@@ -54,6 +55,18 @@ impl VariedValues {
                 format!("{}{unit}", shortest(value))
             }
         })
+    }
+
+    /// Adds to a sum what tells them from others, not each of them.
+    pub(super) fn add_to(&self, sum: &mut Checksum) {
+        sum.add_text(&self.count().to_string());
+        match self {
+            Self::List(values) => values.iter().for_each(|value| sum.add_text(value)),
+            Self::Spread { start, end, unit, .. } => {
+                let texts = [&shortest(*start), &shortest(*end), unit];
+                texts.into_iter().for_each(|text| sum.add_text(text));
+            }
+        }
     }
 
     /// Those that stand for all: what a spread is made of differs in numbers alone.

@@ -117,6 +117,7 @@ fn settings_that_no_parameter_takes_are_told() {
     let (out, err, code) = piped(&scratch, &["a.geo", "-D", "widht=2"], "width\n");
     assert_eq!((out.as_str(), code), ("", 3), "{err}");
     assert!(err.contains("the script has no parameter `widht`; did you mean `width`?"), "{err}");
+    assert!(!err.contains("loaded"), "{err}");
     let input = "width\n:load b.geo\ndepth\n";
     let (out, err, code) = piped(&scratch, &["a.geo", "-D", "width=2"], input);
     assert_eq!((out.as_str(), code), ("2\n1\n", 0), "{err}");

@@ -94,15 +94,23 @@ fn ctrl_c_ends_workers_far_ahead_of_the_slowest() {
     let scratch = Scratch::new("study-ahead");
     scratch.file(
         "a.geo",
-        "param n = 1\nlet s = if n < 2 then sum([for j in 1..60: sum([for i in 1..9000000: sin(i)])]) else n\n",
+        "param n = 1\npoint p = (n, 0)\n\
+         let s = if n < 2 then sum([for j in 1..60: sum([for i in 1..9000000: sin(i)])]) else n\n",
     );
     let mut child = virote(&scratch.0)
         .args(["study", "a.geo", "--vary", "n=1..1000:1000", "-o", "r.csv", "--threads", "2"])
+        .args(["--render", "pictures", "--size", "16x16"])
         .stderr(Stdio::null())
         .spawn()
         .expect("it starts");
-    // Time enough for the other rows that fit; where there is less of it, the test asks less.
-    thread::sleep(Duration::from_millis(700));
+    // A picture of each variant is there before its row: of the 64 that may be ahead all but the slowest.
+    let pictures = scratch.0.join("pictures");
+    let begin = Instant::now();
+    while fs::read_dir(&pictures).map_or(0, Iterator::count) < 63 {
+        assert!(begin.elapsed() < Duration::from_secs(60), "the other worker does not get ahead");
+        thread::sleep(Duration::from_millis(5));
+    }
+    assert!(!read(&scratch, "r.csv.unfinished").contains(r#""id":1,"#), "the first was to be slow");
     interrupt(child.id());
     let begin = Instant::now();
     let ended = loop {
@@ -223,4 +231,62 @@ fn lines_of_json_have_the_same_members() {
     assert!(rows[0]["q"].is_null() && rows[0]["code"] == "E0501", "{text}");
     assert_eq!(rows[1]["margin 4: n > 2"], 0.0);
     assert!(!text.contains("-0.0"), "{text}");
+}
+
+#[test]
+fn settings_that_no_parameter_takes_are_told_with_those_there_are() {
+    let scratch = Scratch::new("study-settings");
+    scratch.file("a.geo", "param size = 1\nparam n = 1\nlet s = n * size\n");
+    for (setting, told_of) in [
+        ("zz=3", "the script has no parameter `zz`; it has size, n"),
+        ("sise=3", "the script has no parameter `sise`; did you mean `size`?"),
+    ] {
+        let args = ["-D", setting, "--vary", "n=1,2", "-o", "r.csv"];
+        let (out, err, code) = study(&scratch, &args);
+        assert_eq!((out.as_str(), code), ("", 3), "{err}");
+        assert_eq!(err.trim_end(), format!("virote: {told_of}"));
+    }
+}
+
+/// What it goes on from was left by any build of the same version: the sum of the plan is that of its meaning.
+#[test]
+fn the_sum_of_a_plan_is_the_same_in_every_build() {
+    let scratch = Scratch::new("study-sum");
+    scratch.file("a.geo", "param w = 1cm\nlet s = assert(w < 3cm, \"no\")\nlet t = sum([for i in 1..9000000: i * w])\n");
+    scratch.file("plan.csv", "id,w [cm]\na,1\nb,2\n");
+    let sum = |args: &[&str]| {
+        let mut child = virote(&scratch.0)
+            .args(["study", "a.geo", "-o", "r.csv", "--threads", "1"])
+            .args(args)
+            .stderr(Stdio::null())
+            .stdout(Stdio::null())
+            .spawn()
+            .expect("it starts");
+        let begin = Instant::now();
+        let header = loop {
+            let text = fs::read_to_string(scratch.0.join("r.csv.unfinished")).unwrap_or_default();
+            if let Some((header, _)) = text.split_once('\n') {
+                break header.to_owned();
+            }
+            assert!(begin.elapsed() < Duration::from_secs(60), "no journal is there");
+            thread::sleep(Duration::from_millis(1));
+        };
+        child.kill().expect("it is there");
+        child.wait().expect("it ends");
+        fs::remove_file(scratch.0.join("r.csv.unfinished")).expect("it is there");
+        let header: serde_json::Value = serde_json::from_str(&header).expect("JSON");
+        header["plan"].as_str().expect("a sum").to_owned()
+    };
+    // FNV-1a of the cells of each row, then of the name, unit, kind of each column, as texts with their lengths.
+    let of = |texts: &[&str]| {
+        let bytes: Vec<u8> =
+            texts.iter().flat_map(|text| format!("{}:{text}", text.len()).into_bytes()).collect();
+        virote::study::checksum(&bytes)
+    };
+    let file = ["a", "1", "b", "2", "id", "", "the id of a variant", "", "w", "cm", "length", ""];
+    assert_eq!(sum(&["plan.csv"]), of(&file));
+    let grid = ["4", "1", "2.5", "cm", "w", "", "length", ""];
+    assert_eq!(sum(&["--vary", "w=1cm..2.5cm:4"]), of(&grid));
+    let list = ["2", "1cm", "2cm", "w", "", "length", ""];
+    assert_eq!(sum(&["--vary", "w=1cm,2cm"]), of(&list));
 }

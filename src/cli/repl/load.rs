@@ -17,14 +17,24 @@ use crate::{
     {session::Event, syntax::StatementRole, value::script_text},
 };
 
+/// What there is to say of a document that stands in the place of the one before.
+pub(super) struct OpenedDocument {
+    /// What was loaded.
+    pub(super) told: String,
+    /// The settings that no parameter of it takes, a sentence each.
+    pub(super) unknown_settings: Vec<String>,
+}
+
 impl Prompt {
     /// Puts the document of a file into the place of this one, if all of it holds. Checks are
     /// judged; nothing is printed and no file written.
     pub(super) fn load(&mut self, path: &Path) {
         match Script::read(path, self.limits().source_bytes) {
             Ok(script) => {
+                let Some(opened) = self.open(script) else { return };
+                self.voice.remark(&opened.told);
                 // They were meant for the script that the prompt began with.
-                for message in self.open(script) {
+                for message in opened.unknown_settings {
                     self.voice.remark(&format!("warning: {message}"));
                 }
             }
@@ -32,21 +42,20 @@ impl Prompt {
         }
     }
 
-    /// [`Self::load`] of a script that was read. What is returned are the settings that no parameter of it takes, a
-    /// sentence each.
-    pub(super) fn open(&mut self, script: Script) -> Vec<String> {
+    /// [`Self::load`] of a script that was read; none where what is wrong with it was told.
+    pub(super) fn open(&mut self, script: Script) -> Option<OpenedDocument> {
         let text = match script_text(&script.bytes) {
             Ok(text) => text.to_owned(),
             Err(what) => {
                 self.refuse(&format!("{}: {what}", script.name));
-                return Vec::new();
+                return None;
             }
         };
         let document = match PromptDocument::of(&text, self.limits()) {
             Ok(document) => document,
             Err(found) => {
                 self.tell_wrong(&script.name, &text, &found);
-                return Vec::new();
+                return None;
             }
         };
         let before = std::mem::take(&mut self.told);
@@ -54,10 +63,10 @@ impl Prompt {
         let Some(ran) = self.evaluate("", '\n', &text, ["document", &script.name]) else {
             self.told = before;
             self.engine.move_back(files);
-            return Vec::new();
+            return None;
         };
         let mut report = ran.report;
-        let unknown = std::mem::take(&mut report.unknown_settings);
+        let unknown_settings = std::mem::take(&mut report.unknown_settings);
         let before = std::mem::replace(&mut self.document, document);
         self.undo.push(before, self.last.clone());
         self.folder = script.folder;
@@ -72,9 +81,8 @@ impl Prompt {
             0 => String::new(),
             _ => format!(", {} for `:export`", counted(n_exports, "file")),
         };
-        self.voice
-            .remark(&format!("loaded {}: {n}{exports} ({time})", show::cut(&script.name, 200)));
-        unknown
+        let told = format!("loaded {}: {n}{exports} ({time})", show::cut(&script.name, 200));
+        Some(OpenedDocument { told, unknown_settings })
     }
 
     /// Writes the document as a script. A file that is not its own is kept.

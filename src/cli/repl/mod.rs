@@ -81,10 +81,13 @@ pub(super) fn run(file: Option<&Path>, out: Option<&Path>, common: &RunArgs) -> 
         // As of every other command.
         match Script::read(file, prompt.limits().source_bytes) {
             Ok(script) => {
-                let unknown = prompt.open(script);
-                if !unknown.is_empty() {
-                    unknown.iter().for_each(|message| prompt.voice.trouble(message));
-                    return ExitStatus::Usage;
+                if let Some(opened) = prompt.open(script) {
+                    let unknown = opened.unknown_settings;
+                    if !unknown.is_empty() {
+                        unknown.iter().for_each(|message| prompt.voice.trouble(message));
+                        return ExitStatus::Usage;
+                    }
+                    prompt.voice.remark(&opened.told);
                 }
             }
             Err(message) => {

@@ -49,7 +49,32 @@ impl LeastProblem<'_> {
         functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     ) -> Result<ConstrainedLeast, E> {
         let mut asked = CountedFunctions::new(functions);
-        let mut search = LeastSearch::new(*self, &mut asked)?;
+        let (mut unknowns, mut values, mut end) = self.searched(&mut asked)?;
+        if end == LeastEnd::Unbounded {
+            // It may have been far beside the unknowns at the start alone.
+            let beyond = LeastProblem { start: &unknowns, ..*self }.searched(&mut asked)?;
+            if beyond.2 == LeastEnd::Settled && self.has_values_around(&beyond.0, &mut asked)? {
+                (unknowns, values, end) = beyond;
+            }
+        }
+        Ok(ConstrainedLeast {
+            unknowns,
+            values,
+            end,
+            n_evaluations: asked.n_evaluations,
+            has_differences: asked.has_differences,
+        })
+    }
+
+    /// Where one search from the start ends, and how.
+    fn searched<F, E>(
+        &self,
+        asked: &mut CountedFunctions<F>,
+    ) -> Result<(Vec<f64>, Vec<f64>, LeastEnd), E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let mut search = LeastSearch::new(*self, asked)?;
         let mut end = search.descend()?;
         let mut n_restarts = 0;
         loop {
@@ -70,14 +95,10 @@ impl LeastProblem<'_> {
         if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && search.is_at_pole()? {
             end = LeastEnd::Pole;
         }
-        let (unknowns, values) = (search.place, search.values);
-        Ok(ConstrainedLeast {
-            unknowns,
-            values,
-            end,
-            n_evaluations: asked.n_evaluations,
-            has_differences: asked.has_differences,
-        })
+        if end == LeastEnd::Settled && search.only_tends()? {
+            end = LeastEnd::Unattained;
+        }
+        Ok((search.place, search.values, end))
     }
 
     /// The best of some places that are spread over the bounds, all of which are finite: the one with the
@@ -335,6 +356,15 @@ mod tests {
         assert_eq!(found(tends, &[3.0], &[FREE], 0).end, LeastEnd::Unattained);
         let along = |x: &[f64]| vec![x[0], x[0] * x[1] - 1.0, x[0]];
         assert_eq!(found(along, &[1.0, 1.0], &[FREE; 2], 0).end, LeastEnd::Unattained);
+        // Rounding ends it before it is far.
+        let branch = |x: &[f64]| vec![(1.0 + x[0] * x[0]).sqrt() - x[0]];
+        assert_eq!(found(branch, &[1.0], &[FREE], 0).end, LeastEnd::Unattained);
+        let turns = |x: &[f64]| vec![1.0 / x[0] + 1e-14 * x[0]];
+        let slow = found(turns, &[1.0], &[FREE], 0);
+        assert!(
+            slow.end == LeastEnd::Settled && (slow.unknowns[0] / 1e7 - 1.0).abs() < 1e-3,
+            "{slow:?}"
+        );
         let falls = |x: &[f64]| vec![-x[0].sqrt()];
         assert_eq!(found(falls, &[3.0], &[FREE], 0).end, LeastEnd::Unbounded);
     }

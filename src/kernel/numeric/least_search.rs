@@ -43,14 +43,7 @@ where
         asked: &'a mut CountedFunctions<F>,
     ) -> Result<Self, E> {
         let place: Vec<f64> = clamped(problem.start, problem.bounds);
-        let size = magnitude(&place);
-        let unit = |(x, [low, high]): (&f64, &[f64; 2])| match high - low {
-            width if width.is_finite() && 0.0 < width => width,
-            _ if *x != 0.0 => x.abs(),
-            _ if 0.0 < size => size,
-            _ => 1.0,
-        };
-        let units = place.iter().zip(problem.bounds).map(unit).collect();
+        let units = problem.units(&place);
         let values = asked.values(&place)?;
         let n_conditions = values.len() - 1;
         let weights = vec![1.0; values.len()];
@@ -65,7 +58,10 @@ where
             slopes: Vec::new(),
             trail: LeastTrail::default(),
         };
-        let gradients = search.gradients()?;
+        let mut gradients = search.gradients()?;
+        if search.widen_units(&gradients)? {
+            gradients = search.gradients()?;
+        }
         for (idx, gradient) in gradients.iter().enumerate() {
             let steepness = magnitude(gradient);
             if 0.0 < steepness && steepness.is_finite() {
@@ -190,6 +186,23 @@ where
             true => LeastEnd::Unattained,
             false => LeastEnd::Unbounded,
         })
+    }
+
+    /// Whether the function fell by less and less on a long way to the place, and is lower still at twice the distance or
+    /// more: it ended where rounding hides by how much it falls.
+    pub(super) fn only_tends(&mut self) -> Result<bool, E> {
+        if !self.trail.is_long() || !self.trail.falls_ever_less() {
+            return Ok(false);
+        }
+        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
+        let merit = self.merit(&self.values);
+        for times in [1.0, 3.0, 7.0] {
+            let values = self.moved(&out, times)?.1;
+            if self.merit(&values) < merit {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Lets each broken condition count by as much as it holds a step off, and for more and more where the conditions

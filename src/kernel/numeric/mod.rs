@@ -31,6 +31,7 @@ pub(crate) mod least_problem;
 mod least_search;
 pub(crate) mod least_squares;
 mod least_trail;
+mod least_units;
 pub(crate) mod linear;
 mod narrow_bracket;
 pub(crate) mod newton;

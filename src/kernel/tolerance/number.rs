@@ -230,6 +230,12 @@ pub(crate) const HOLDING_RELATIVE: f64 = 1e-6;
 /// Larger wanders further; smaller refuses what is far from its start.
 pub const LEAST_FAR: f64 = 1e8;
 
+/// An unknown that begins near zero counts by a size over which a function changes by this share of its value, or of its
+/// growth along others.
+///
+/// Larger takes small unknowns for larger ones; smaller holds a search to steps that nothing tells of.
+pub(crate) const LEAST_UNIT_SHARE: f64 = 1e-3;
+
 /// The share of its fall over a part of the way there by which such a function falls over the next one, equal by powers
 /// of the distance; one that falls by less may tend to a least value, and has none.
 ///

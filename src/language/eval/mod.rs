@@ -76,4 +76,4 @@ pub use param::param_kind;
 pub use relative_files::RelativeFiles;
 pub use run::evaluate;
 pub use schema::{Schema, SchemaParameter, parameters};
-pub use settings::{Purpose, Setting, Settings, TestFilter};
+pub use settings::{Purpose, Setting, Settings, TestFilter, unknown_parameter};

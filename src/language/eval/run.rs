@@ -20,11 +20,11 @@ use super::{
     ownership::OwningCopies,
     param::GivenValue,
     schedule,
-    settings::{Purpose, Setting, Settings},
+    settings::{Purpose, Settings, unknown_parameter},
     worker::{Inputs, Worker},
 };
 use crate::{
-    diag::{Code, Diagnostic, Fix, Severity, Sources, Span, Spanned, nearest},
+    diag::{Code, Diagnostic, Fix, Severity, Sources, Span, Spanned},
     value::Value,
 };
 
@@ -284,7 +284,7 @@ impl FileRun<'_> {
             .overrides
             .iter()
             .filter(|setting| !names.contains(&setting.name.as_str()));
-        unknown.map(|setting| unknown_setting(setting, &names)).collect()
+        unknown.map(|setting| unknown_parameter(&setting.name, &names)).collect()
     }
 }
 
@@ -338,18 +338,4 @@ fn failure(checked: &Checked) -> Diagnostic {
         };
         diagnostic.also(side.span, text)
     })
-}
-
-/// What a setting must know of the file: the name nearest to one that does not exist.
-fn unknown_setting(setting: &Setting, names: &[&str]) -> String {
-    let near = nearest(&setting.name, names.iter().copied());
-    match (near, names) {
-        (Some(near), _) => {
-            format!("the script has no parameter `{}`; did you mean `{near}`?", setting.name)
-        }
-        (None, []) => format!("the script has no parameter `{}`, nor any other", setting.name),
-        (None, _) => {
-            format!("the script has no parameter `{}`; it has {}", setting.name, names.join(", "))
-        }
-    }
 }

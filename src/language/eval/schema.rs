@@ -37,6 +37,14 @@ pub struct SchemaParameter {
     pub docs: Option<String>,
 }
 
+impl Schema {
+    /// The names of the parameters, in order.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        self.parameters.iter().map(|parameter| parameter.name.as_str()).collect()
+    }
+}
+
 impl SchemaParameter {
     /// Whether it is a length.
     #[must_use]

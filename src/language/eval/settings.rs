@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::{memory::CacheRun, outcome::Defined};
 use crate::{
+    diag::nearest,
     limits::{
         Limits,
         work::{MemoryGauge, StopToken},
@@ -83,4 +84,22 @@ pub struct Settings<'a> {
     pub gauge: &'a MemoryGauge,
     /// Set by whoever no longer wants the answer.
     pub stop: &'a StopToken,
+}
+
+/// That the script has no parameter of a name: with the nearest one, or all that there are.
+///
+/// ```
+/// use virote_language::eval::unknown_parameter;
+///
+/// assert_eq!(unknown_parameter("x", &["size", "n"]), "the script has no parameter `x`; it has size, n");
+/// ```
+#[must_use]
+pub fn unknown_parameter(name: &str, names: &[&str]) -> String {
+    match (nearest(name, names.iter().copied()), names) {
+        (Some(near), _) => {
+            format!("the script has no parameter `{name}`; did you mean `{near}`?")
+        }
+        (None, []) => format!("the script has no parameter `{name}`, nor any other"),
+        (None, _) => format!("the script has no parameter `{name}`; it has {}", names.join(", ")),
+    }
 }
