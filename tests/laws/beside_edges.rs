@@ -22,7 +22,7 @@ const N_CASES: u64 = 2;
 /// What a case has by its number: the slope, and sizes of the heights at both ends of the edge.
 fn slope_and_heights(n: u64) -> (f64, [f64; 2]) {
     let [a, b, c, ..] = fractions(n);
-    let power = |from: f64, to: f64, share: f64| 10_f64.powf(from + (to - from) * share);
+    let power = |from: f64, to: f64, share: f64| libm::pow(10.0, from + (to - from) * share);
     (power(-4.0, 0.0, a), [power(-8.5, -5.3, b), power(-8.5, -5.3, c)])
 }
 
@@ -90,7 +90,7 @@ fn a_curve_along_an_edge_is_told_however_near() {
         let (slope, [h0, h1]) = slope_and_heights(n);
         let place = placement(n);
         // The ends of the line are in the sheet.
-        let expected = 1.0_f64.hypot((h1 - h0) / slope);
+        let expected = libm::hypot(1.0, (h1 - h0) / slope);
         for surface in sheets(slope, [-h0, -h1], place) {
             let found = surface.intersections(&plate(n, place), TOLERANCE).unwrap();
             assert_eq!(found.curves.len(), 1, "{n}");
@@ -105,7 +105,7 @@ fn a_curve_that_cuts_off_a_corner_is_told_however_near() {
     for n in 0..N_CASES * orientations() {
         let (slope, [h0, h1]) = slope_and_heights(n);
         let place = placement(n);
-        let expected = (h0 / (h0 + h1)).hypot(h0 / slope);
+        let expected = libm::hypot(h0 / (h0 + h1), h0 / slope);
         for surface in sheets(slope, [-h0, h1], place) {
             let found = surface.intersections(&plate(n, place), TOLERANCE).unwrap();
             assert_eq!(found.curves.len(), 1, "{n}");
