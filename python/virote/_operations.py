@@ -3228,8 +3228,7 @@ def minimize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tu
     Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
     where the function turns often, tell near which the least value is; from there on the search goes by parabolas
     and golden sections. The place has half of the digits that numbers have, the value there all of them. Where a
-    whole stretch is least it is one place of it; a function that is the same everywhere is refused. Where the function
-    has no value, as at an end of the range where a radius is 0, no place is best. Brent,
+    whole stretch is least it is one place of it; a function that is the same everywhere is refused. Brent,
     *Algorithms for Minimization without Derivatives*, ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,

@@ -57,28 +57,15 @@ impl BestSearch {
         let (mut dim, mut n_asked) = (CommonDimension::default(), 0_usize);
         let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
         let sign = better.sign();
-        let mut missing = None;
         let found = find_least(
             |at| {
                 n_asked += 1;
-                let value = match number_at(ctx, &self.f, range, (at, &mut dim)) {
-                    Err(found) if is_without_value(&found) => {
-                        // One inside of the range tells more than that at its end.
-                        if n_asked <= 2 {
-                            missing = Some(found);
-                        }
-                        return Ok::<_, Box<Diagnostic>>(f64::INFINITY);
-                    }
-                    value => value?,
-                };
+                let value = number_at(ctx, &self.f, range, (at, &mut dim))?;
                 (least, most) = (least.min(value), most.max(value));
-                Ok(sign * value)
+                Ok::<_, Box<Diagnostic>>(sign * value)
             },
             range.ends,
         )?;
-        if let Some(missing) = missing.filter(|_| most < least) {
-            return Err(missing);
-        }
         if most <= least {
             let [from, to] = range.ends.map(|at| range.place_text(at));
             let message = format!(
