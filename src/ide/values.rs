@@ -73,6 +73,7 @@ impl Values {
     /// Puts what a part of the text came to into the place of what the names in it had, at the end what is new;
     /// some names are `lost`. Whether it can be done, which needs that nobody else has the report, is what it
     /// returns.
+    #[cfg(feature = "cli")]
     pub(crate) fn take_in(&mut self, part: &Report, lost: &[String]) -> bool {
         let Some(report) = Arc::get_mut(&mut self.report) else { return false };
         let mut leaving: Vec<usize> =
