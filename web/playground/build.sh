@@ -24,7 +24,7 @@ done
 for package in three three-mesh-bvh @codemirror/state @codemirror/view; do
     printf '/*! %s\n%s\n*/\n' "$package" "$(cat "../node_modules/$package/LICENSE")"
 done >>"$out/app.js"
-gzip -9nc "$WASM" >"$out/virote.wasm.gz"
+node compress.mjs "$WASM" "$out/virote.wasm.gz"
 node examples.mjs "$root/examples" >"$out/examples.json"
 cp "$root"/examples/gallery/*.png "$out/gallery"
 node book.mjs "$root/docs" "$out" "$WASM"

@@ -24,11 +24,14 @@ interface Waiting {
   fail: (why: Error) => void;
 }
 
+/** Workers that nobody has yet: a browser begins them while the page is built. */
+const begun: Worker[] = [];
+
 /** Tells the keys of each worker's items from those of the others. */
 let n_workers = 0;
 
 export class Machine {
-  private readonly worker = new Worker("worker.js");
+  private readonly worker = begun.pop() ?? new Worker("worker.js");
   private readonly waiting = new Map<number, Waiting>();
   private n_calls = 0;
   private ending: Ended | null = null;
@@ -84,6 +87,11 @@ export class Machine {
     if ("refusal" in answer) waiting?.fail(new Refused(answer.refusal));
     else waiting?.done(answer);
   }
+}
+
+/** Begins so many workers for those that will want them. */
+export function beginWorkers(n: number): void {
+  for (let i = 0; i < n; i++) begun.push(new Worker("worker.js"));
 }
 
 /** Fetches and compiles the module; it lies compressed beside the page, whatever its server does. */

@@ -19,11 +19,10 @@ function broken(trouble: unknown): void {
   host.replaceChildren(el("div", { class: "broken" }, el("h1", {}, "The playground could not be begun"), el("p", {}, message), el("p", {}, needs)));
 }
 
-try {
+async function begin(): Promise<void> {
   const playground = new Playground(host, broken);
-  expose(playground.app);
+  expose(await playground.begin());
   Object.defineProperty(window, "playground", { get: () => playground.face });
-  void playground.begin();
-} catch (trouble) {
-  broken(trouble);
 }
+
+begin().catch(broken);

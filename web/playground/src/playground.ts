@@ -9,7 +9,7 @@ import { type FileActions, fileMenu } from "./fileMenu";
 import { Folder, isScript } from "./folder";
 import { gallery } from "./gallery";
 import { base64, fragmentOf, type Shared, sharedIn } from "./link";
-import { fetchModule } from "./machine";
+import { beginWorkers, fetchModule } from "./machine";
 import { split } from "./split";
 import { WorkerDoor } from "./workerDoor";
 import { Writer } from "./writer";
@@ -28,12 +28,22 @@ const ROOM_FOR_PANELS = 820;
 const LAST = "virote-last";
 const FIRST_EXAMPLE = "bottle.geo";
 const EMPTY = "geo 1\nunit mm\n\n";
+/**
+ * The viewer waits so long for the interpreter, in milliseconds: until it is built and has drawn, this thread cannot pass
+ * on what comes over the network, while the first script may be evaluated beside it.
+ */
+const HEAD_START = 500;
 
 export class Playground {
-  readonly app: App;
   readonly editor: Editor;
   readonly engine: Engine;
+  private readonly module = fetchModule();
+  private readonly viewer = el("div", { id: "app" });
+  private app: App | null = null;
+  /** What is to be told once there is a viewer that tells it. */
+  private untold: { message: string; isTrouble: boolean }[] = [];
   private readonly folder = new Folder();
+  private readonly filled = Promise.allSettled([this.folder.open(), this.folder.fetchExamples()]);
   private readonly writer: Writer;
   private readonly name = el("input", { type: "text", class: "file-name", "aria-label": "Name of the script", spellcheck: "false" });
   private script = "script.geo";
@@ -46,37 +56,47 @@ export class Playground {
 
   /** `failed` is called when there is no interpreter. */
   constructor(host: HTMLElement, failed: (trouble: unknown) => void) {
-    const module = fetchModule();
-    module.catch(failed);
+    // One that evaluates, and one that answers the editor.
+    beginWorkers(2);
+    this.module.catch(failed);
     const files = (): Iterable<readonly [string, Uint8Array]> => this.folder.files();
-    this.engine = new Engine(module, files);
-    this.writer = new Writer(module, this.engine, files);
+    this.engine = new Engine(this.module, files);
+    this.writer = new Writer(this.module, this.engine, files);
     const pane = el("section", { class: "editor", "aria-label": "Script" });
-    const viewer = el("div", { id: "app" });
     pane.append(this.bar());
     const text = el("div", { class: "editor-text" });
     pane.append(text);
-    host.append(split(pane, viewer));
+    host.append(split(pane, this.viewer));
     this.editor = new Editor(text, this.writer.ask, (next) => this.changed(next));
-    const door = new WorkerDoor(this.engine, {
-      replace: (next) => this.editor.replace(next),
-      deliver: (all) => this.deliver(all),
-    });
-    this.app = new App(door, viewer, this.commands());
-    if (this.app.settings.isFirstVisit && viewer.clientWidth < ROOM_FOR_PANELS) this.app.settings.put({ rightPanel: false });
     this.engine.findings.follow(({ text: of, all, state }) => this.editor.mark(of, all, state));
-    this.engine.news.follow((news) => this.app.doc.tell(news, true));
+    this.engine.news.follow((news) => this.tell(news, true));
     this.engine.state.follow(() => this.followAddress());
-    this.app.doc.selection.follow((paths) => this.reveal(paths));
     this.takeDrops();
     addEventListener("hashchange", () => void this.openFragment());
   }
 
-  /** What is shown first: the script of the address, the one that was open last, or an example. */
-  async begin(): Promise<void> {
-    const [kept, examples] = await Promise.allSettled([this.folder.open(), this.folder.fetchExamples()]);
+  /** Begins with a script, and then builds the viewer, which it gives back. */
+  async begin(): Promise<App> {
+    await this.openFirst();
+    await Promise.race([this.module.catch(() => {}), new Promise((done) => setTimeout(done, HEAD_START))]);
+    const door = new WorkerDoor(this.engine, {
+      replace: (next) => this.editor.replace(next),
+      deliver: (all) => this.deliver(all),
+    });
+    const app = new App(door, this.viewer, this.commands());
+    if (app.settings.isFirstVisit && this.viewer.clientWidth < ROOM_FOR_PANELS) app.settings.put({ rightPanel: false });
+    app.doc.selection.follow((paths) => this.reveal(app, paths));
+    this.app = app;
+    for (const { message, isTrouble } of this.untold) app.doc.tell(message, isTrouble);
+    this.untold = [];
+    return app;
+  }
+
+  /** Opens the script of the address, the one that was open last, or an example. */
+  private async openFirst(): Promise<void> {
+    const [kept, examples] = await this.filled;
     if (kept.status === "rejected") this.cannotKeep(kept.reason);
-    if (examples.status === "rejected") this.app.doc.tell(`The examples could not be loaded: ${String(examples.reason)}`, true);
+    if (examples.status === "rejected") this.tell(`The examples could not be loaded: ${String(examples.reason)}`, true);
     if (await this.openFragment()) return;
     const last = remembered();
     if (last !== null && this.folder.has(last)) this.openOwn(last);
@@ -88,6 +108,11 @@ export class Playground {
   get face(): { name: string; text: string; isBusy: boolean; n_begun: number } {
     const { engine, editor, script } = this;
     return { name: script, text: editor.text, isBusy: engine.isBusy.value || this.evaluation !== 0, n_begun: engine.n_begun };
+  }
+
+  private tell(message: string, isTrouble = false): void {
+    if (this.app) this.app.doc.tell(message, isTrouble);
+    else this.untold.push({ message, isTrouble });
   }
 
   private commands(): Command[] {
@@ -163,14 +188,14 @@ export class Playground {
     const example = /^example=([\w.-]+)$/.exec(fragment)?.[1];
     if (example !== undefined) {
       if (this.folder.example(example) !== null) return this.openExample(example), true;
-      this.app.doc.tell(`There is no example ${example}`, true);
+      this.tell(`There is no example ${example}`, true);
       return false;
     }
     let shared: Shared | null;
     try {
       shared = await sharedIn(fragment);
     } catch (trouble) {
-      this.app.doc.tell(messageOf(trouble), true);
+      this.tell(messageOf(trouble), true);
       return false;
     }
     if (!shared) return false;
@@ -203,7 +228,7 @@ export class Playground {
   }
 
   private cannotKeep(trouble: unknown): void {
-    if (this.canKeep) this.app.doc.tell(`This browser keeps nothing more (${messageOf(trouble)}); the address still holds the script.`, true);
+    if (this.canKeep) this.tell(`This browser keeps nothing more (${messageOf(trouble)}); the address still holds the script.`, true);
     this.canKeep = false;
   }
 
@@ -211,7 +236,7 @@ export class Playground {
     this.keep(this.script, this.editor.text);
     this.isOwn = true;
     await this.writeAddress();
-    if (this.canKeep) this.app.doc.tell(`Kept in this browser: ${this.script}`);
+    if (this.canKeep) this.tell(`Kept in this browser: ${this.script}`);
   }
 
   private rename(wanted: string): void {
@@ -240,7 +265,7 @@ export class Playground {
     const taken: string[] = [];
     for (const file of files) {
       if (file.size > LARGEST_FILE) {
-        this.app.doc.tell(`${file.name} is larger than 64 MB and was not taken.`, true);
+        this.tell(`${file.name} is larger than 64 MB and was not taken.`, true);
         continue;
       }
       this.keep(file.name, new Uint8Array(await file.arrayBuffer()));
@@ -251,7 +276,7 @@ export class Playground {
     if (script !== undefined) this.openOwn(script);
     else this.renewFiles();
     const first = taken.find((name) => !isScript(name));
-    this.app.doc.tell(first === undefined ? `Taken: ${taken.join(", ")}` : `Taken: ${taken.join(", ")}. A script reads it by load("${first}").`);
+    this.tell(first === undefined ? `Taken: ${taken.join(", ")}` : `Taken: ${taken.join(", ")}. A script reads it by load("${first}").`);
   }
 
   private renewFiles(): void {
@@ -280,7 +305,7 @@ export class Playground {
   }
 
   private async format(): Promise<void> {
-    if (!(await this.editor.format())) this.app.doc.tell("The script has its usual form, or mistakes that must be mended first.");
+    if (!(await this.editor.format())) this.tell("The script has its usual form, or mistakes that must be mended first.");
   }
 
   /** The script as a link, with the files that it reads as long as they fit. */
@@ -301,7 +326,7 @@ export class Playground {
     url.hash = fragment;
     const isCopied = await copy(url.href);
     const without = left.length > 0 ? ` It leaves out ${left.join(", ")}: whoever opens it adds ${left.length === 1 ? "that file" : "those files"}.` : "";
-    this.app.doc.tell(isCopied ? `The link is on the clipboard.${without}` : `Copy the address: it holds the script.${without}`, !isCopied);
+    this.tell(isCopied ? `The link is on the clipboard.${without}` : `Copy the address: it holds the script.${without}`, !isCopied);
     if (!isCopied) history.replaceState(null, "", `#${fragment}`);
   }
 
@@ -340,14 +365,14 @@ export class Playground {
   }
 
   /** Shows where the one definition that was chosen stands in the script. */
-  private reveal(paths: ReadonlySet<string>): void {
-    const chosen = this.app.doc.items().filter((item) => paths.has(item.path));
+  private reveal(app: App, paths: ReadonlySet<string>): void {
+    const chosen = app.doc.items().filter((item) => paths.has(item.path));
     const [first] = chosen;
     if (first?.span && chosen.every(({ definition }) => definition === first.definition)) this.editor.reveal(first.span.line, first.span.column);
   }
 
   private changeSides(): void {
-    if (this.editor.view.hasFocus) this.app.canvas.focus();
+    if (this.editor.view.hasFocus) this.app?.canvas.focus();
     else this.editor.view.focus();
   }
 }

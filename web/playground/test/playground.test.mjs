@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -11,7 +11,7 @@ import { inflateRawSync } from "node:zlib";
 
 import { closeBrowser, colorAt, command, lookFromFront, openBrowser, openPage, skip, until } from "../../test/harness.mjs";
 import { WALKS } from "../../wasm/test/walks.mjs";
-import { serveFolder } from "./harness.mjs";
+import { folder, serveFolder } from "./harness.mjs";
 
 const SCRIPT = `geo 1
 unit mm
@@ -40,7 +40,7 @@ after(async () => {
 const run = (name, body) => test(name, { skip, timeout: 180_000 }, body);
 
 /** Waits until the newest text is evaluated and drawn. */
-const settled = (of = page) => until(of, () => !window.playground.isBusy && window.virote.isReady);
+const settled = (of = page) => until(of, () => window.playground?.isBusy === false && window.virote.isReady);
 const face = (of = page) => of.evaluate(() => window.playground);
 /** Puts a text in the place of the script, as if it were pasted. */
 async function write(text, of = page) {
@@ -49,7 +49,7 @@ async function write(text, of = page) {
   await of.keyboard.press("a");
   await of.keyboard.up("Control");
   await of.keyboard.sendCharacter(text);
-  await until(of, (wanted) => window.playground.text === wanted, text);
+  await until(of, (wanted) => window.playground?.text === wanted, text);
 }
 /** Where the first word of the script stands in the window that is this one. */
 async function place(word) {
@@ -61,6 +61,10 @@ async function place(word) {
 const inWorkers = (what) => Promise.all(page.workers().map((worker) => worker.evaluate(what).catch(() => {})));
 const shared = (url) => JSON.parse(inflateRawSync(Buffer.from(new URL(url).hash.slice("#script=".length), "base64url")));
 const said = (selector) => page.$eval(selector, (element) => element.textContent);
+
+test("the module is at most 3 MB as it is sent", () => {
+  assert.ok(statSync(join(folder, "virote.wasm.gz")).size <= 3_000_000);
+});
 
 run("the first visit shows an example, evaluated", async () => {
   assert.equal((await face()).name, "bottle.geo");
@@ -308,7 +312,7 @@ run("dropped data are read, and kept for the next visit", async () => {
     data.items.add(new File(["x,y\n1,2\n3,4\n5,6\n"], "points.csv"));
     document.querySelector(".cm-content").dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
   });
-  await until(page, () => window.virote.isCurrent && document.querySelector(".print-value")?.textContent === "3");
+  await until(page, () => window.virote?.isCurrent && document.querySelector(".print-value")?.textContent === "3");
   await settled();
   await page.evaluate(() => new Promise((done) => setTimeout(done, 600)));
   const fragment = new URL(page.url()).hash;
