@@ -6,9 +6,12 @@
 //! Piegl & Tiller, *The NURBS Book*, (4.8); Filip, Magedson & Markot, *Surface algorithms using
 //! bounds on derivatives*, CAGD 3 (1986).
 
+use std::ops::RangeInclusive;
+
 use glam::{DVec3, DVec4};
 
 use super::{
+    alike::AlikePieces,
     homothetic::HomotheticSections,
     quotient::SecondHulls,
     reach::{Reach, in_lanes},
@@ -23,6 +26,7 @@ use crate::{
 pub(super) struct DerivativeBounds {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
+    pub(super) alike: AlikePieces,
     pub(super) pieces: Grid<PieceBounds>,
     /// The normal of the plane that it is.
     pub(super) plane: Option<DVec3>,
@@ -55,22 +59,40 @@ impl DerivativeBounds {
         for along in Direction::BOTH {
             clamped = clamped.with_lines(along, clamped.lines(along).clamped());
         }
-        let new = [clamped.knots_u(), clamped.knots_v()];
-        let new = [0, 1].map(|i| missing_knots(new[i], wanted[i]));
-        let (domains, pieces) = match HomotheticSections::of(&clamped, &new) {
+        let new = |wanted: [usize; 2]| {
+            Direction::BOTH.map(|along| missing_knots(clamped.knots(along), wanted[along]))
+        };
+        let strips = {
+            let [along_u, along_v] = new([0; 2]);
+            [[along_u, Vec::new()], [Vec::new(), along_v]].map(|new| refined(clamped.clone(), &new))
+        };
+        let n_parts = Direction::BOTH.map(|along| n_parts(clamped.knots(along), wanted[along]));
+        let alike = AlikePieces::of(strips.each_ref(), n_parts);
+        let new = new(wanted);
+        let (domains, alike, pieces) = match HomotheticSections::of(&clamped, &new) {
             Some(sections) => {
                 let domains = sections.domains();
-                let pieces = of_homothetic(&sections, &domains);
-                (domains, pieces)
+                let alike = alike.of_as_many(domains.each_ref().map(Vec::len));
+                let pieces = of_homothetic(&sections, &domains, &alike);
+                (domains, alike, pieces)
             }
-            None => of_patches(surface, refined(clamped, &new), n_threads),
+            None => {
+                let refined = refined(clamped, &new);
+                let domains = Direction::BOTH.map(|along| -> Vec<Interval> {
+                    let knots = refined.knots(along);
+                    knots.spans().map(|span| knots.span_interval(span)).collect()
+                });
+                let alike = alike.of_as_many(domains.each_ref().map(Vec::len));
+                let pieces = of_patches(surface, &refined, &alike, n_threads);
+                (domains, alike, pieces)
+            }
         };
         let ends = domains.map(|domains| -> Vec<f64> {
             let starts = domains.iter().map(|interval| interval.start());
             starts.chain(domains.last().map(|interval| interval.end())).collect()
         });
         let plane = plane(surface, &pieces, &ends);
-        Self { ends, pieces, plane }
+        Self { ends, alike, pieces, plane }
     }
 }
 
@@ -84,11 +106,15 @@ fn refined(mut surface: NurbsSurface, new: &[Vec<f64>; 2]) -> NurbsSurface {
 }
 
 /// The bounds of a surface of two curves over all pieces.
-fn of_homothetic(sections: &HomotheticSections, domains: &[Vec<Interval>; 2]) -> Grid<PieceBounds> {
+fn of_homothetic(
+    sections: &HomotheticSections,
+    domains: &[Vec<Interval>; 2],
+    alike: &AlikePieces,
+) -> Grid<PieceBounds> {
     let lengths = domains
         .each_ref()
         .map(|domains| -> Vec<f64> { domains.iter().map(|interval| interval.length()).collect() });
-    Grid::from_fn(lengths[0].len(), lengths[1].len(), |i, j| {
+    alike.grid(|i, j| {
         if !work::goes_on(1) {
             return PieceBounds::UNBOUNDED;
         }
@@ -101,38 +127,47 @@ fn of_homothetic(sections: &HomotheticSections, domains: &[Vec<Interval>; 2]) ->
 /// The bounds of any other one, whose Bézier patches are those of `refined`.
 fn of_patches(
     surface: &NurbsSurface,
-    refined: NurbsSurface,
+    refined: &NurbsSurface,
+    alike: &AlikePieces,
     n_threads: usize,
-) -> ([Vec<Interval>; 2], Grid<PieceBounds>) {
-    let spans = [refined.knots_u(), refined.knots_v()].map(|knots| {
-        knots.spans().map(|span| (span, knots.span_interval(span))).collect::<Vec<_>>()
-    });
-    let row = |&(span_u, domain_u): &(usize, Interval)| -> Vec<PieceBounds> {
+) -> Grid<PieceBounds> {
+    let spans = Direction::BOTH.map(|along| refined.knots(along).spans().collect::<Vec<_>>());
+    let row = |&i: &usize| -> Vec<PieceBounds> {
+        let (rows, domain_u) = piece_of(refined.knots_u(), spans[0][i]);
         let mut hulls = SecondHulls::default();
-        let piece = |&(span_v, domain_v): &(usize, Interval)| {
+        let piece = |&j: &usize| {
             if !work::goes_on(1) {
                 return PieceBounds::UNBOUNDED;
             }
             let net = refined.control_points();
-            let columns = refined.knots_v().support(span_v);
+            let (columns, domain_v) = piece_of(refined.knots_v(), spans[1][j]);
             let (first, n_columns) = (*columns.start(), columns.count());
-            let rows = refined.knots_u().support(span_u);
-            let points = rows.flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
+            let points =
+                rows.clone().flat_map(|row| net.row(row)[first..][..n_columns].iter().copied());
             let net = Grid::from_rows_of(n_columns, points.collect());
             bend(surface, &net, [domain_u, domain_v], 0, &mut hulls)
         };
-        spans[1].iter().map(piece).collect()
+        alike.firsts(Direction::V).iter().map(piece).collect()
     };
-    let rows = side_by_side::map(&spans[0], n_threads, row);
-    let pieces = Grid::from_rows_of(spans[1].len(), rows.into_iter().flatten().collect());
-    (spans.map(|spans| spans.into_iter().map(|(_, domain)| domain).collect()), pieces)
+    let rows = side_by_side::map(alike.firsts(Direction::U), n_threads, row);
+    let [rows_of, columns_of] = Direction::BOTH.map(|along| alike.kinds(along));
+    alike.grid(|i, j| rows[rows_of[i]][columns_of[j]])
+}
+
+/// The control points of a span, and its parameters.
+fn piece_of(knots: &KnotVector, span: usize) -> (RangeInclusive<usize>, Interval) {
+    (knots.support(span), knots.span_interval(span))
+}
+
+/// In how many parts each span goes, for about as many as wanted.
+fn n_parts(knots: &KnotVector, wanted: usize) -> usize {
+    let n_spans = knots.breaks().len().max(2) - 1;
+    ((wanted + n_spans / 2) / n_spans).max(1)
 }
 
 /// The knots that make Bézier pieces of a clamped spline, about as many as wanted.
 fn missing_knots(knots: &KnotVector, wanted: usize) -> Vec<f64> {
-    let (degree, breaks) = (knots.degree(), knots.breaks());
-    let n_spans = breaks.len().max(2) - 1;
-    let n_parts = ((wanted + n_spans / 2) / n_spans).max(1);
+    let (degree, breaks, n_parts) = (knots.degree(), knots.breaks(), n_parts(knots, wanted));
     let mut missing = Vec::new();
     for pair in breaks.windows(2) {
         let times = if pair[0] <= breaks[0] { degree } else { knots.exact_multiplicity(pair[0]) };
@@ -218,6 +253,12 @@ impl PieceBounds {
         let spread = [0, 1].map(|i| 0.5 * (a * second[i] + b * second[i + 1]));
         let first = [0, 1].map(|i| middle[i].length() + spread[i]);
         Self { second, lift, across, normal, first, spread, middle }
+    }
+
+    /// How many times longer a step along u is than one along v.
+    pub(super) fn ratio(&self) -> f64 {
+        let ratio = self.middle[0].length() / self.middle[1].length();
+        if ratio.is_normal() { ratio } else { 1.0 }
     }
 
     /// Bounds over two pieces; the middle is that of the second one, and there is no normal.

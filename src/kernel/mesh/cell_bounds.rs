@@ -8,22 +8,22 @@
 //!
 //! Of pieces that a cell touches together each second derivative counts where it is largest.
 
-use std::{array::from_fn, f64::consts::PI, ops::Range, sync::Arc};
+use std::{f64::consts::PI, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
 use super::{
+    alike::AlikePieces,
     bend::{DerivativeBounds, PieceBounds},
     compact_rules::CompactRules,
     form::ParameterBoxes,
     near::bend_rules,
     rules::PieceRules,
+    turns::turns,
 };
 use crate::{
-    Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance,
-    ceiling::CELL_PIECES,
-    tolerance::{BORDER_SHARE, END_LOOK},
-    work,
+    Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance, ceiling::CELL_PIECES,
+    tolerance::BORDER_SHARE, work,
 };
 
 /// Pieces along one direction by which the cells are counted, about; those that bound them then are one for each cell,
@@ -41,9 +41,6 @@ const NARROWING: f64 = 0.98;
 const BALANCE_STEP: f64 = 2.0;
 const BALANCE_ROUNDS: usize = 5;
 const BALANCE_GAIN: f64 = 0.995;
-
-/// Places along a piece at which its normals are compared, as fractions of it.
-const PLACES: [f64; 3] = [END_LOOK, 0.5, 1.0 - END_LOOK];
 
 /// What triangles are asked for.
 ///
@@ -112,6 +109,8 @@ impl TessellationOptions {
 pub(super) struct CellBounds {
     /// Where the pieces along u and along v begin and end.
     pub(super) ends: [Vec<f64>; 2],
+    /// Those whose rules are the same.
+    alike: AlikePieces,
     rules: PieceRules,
     /// How many times longer a step along u is than one along v.
     ratios: Arc<Grid<f64>>,
@@ -147,15 +146,21 @@ impl CellBounds {
         wanted: &TessellationOptions,
         breaks: [&[f64]; 2],
     ) -> Self {
-        let DerivativeBounds { ends, pieces, plane } = bends;
+        let DerivativeBounds { ends, mut alike, pieces, plane } = bends;
+        // Beside a break a piece keeps to more than another.
+        for along in Direction::BOTH {
+            if !breaks[along].is_empty() {
+                alike = alike.told_apart(along);
+            }
+        }
         let per_tolerance = 1.0 / (8.0 * wanted.tolerance);
-        let ratios = pieces.map(ratio);
+        let ratios = pieces.map(PieceBounds::ratio);
         let are_broken = breaks.iter().any(|breaks| !breaks.is_empty());
         let lines =
             are_broken.then(|| line_forms(&pieces, &ends, breaks, per_tolerance / BORDER_SHARE));
         let chord = 2.0 * libm::sin(0.5 * wanted.angle);
         let angle = wanted.limits_angle().then(|| {
-            let turns = turns(surface, &ends, wanted.n_threads);
+            let turns = turns(surface, &ends, &alike, wanted.n_threads);
             Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
         });
         let mut others = Vec::new();
@@ -172,11 +177,11 @@ impl CellBounds {
             None => {
                 let lines = lines.as_ref();
                 let tolerance = wanted.tolerance;
-                Some(Arc::new(bend_rules(&pieces, &ends, &ratios, breaks, lines, tolerance)))
+                Some(Arc::new(bend_rules(&pieces, &ends, &alike, breaks, lines, tolerance)))
             }
         };
         let rules = PieceRules { bends, angle, others: Arc::new(others) };
-        Self { ends, rules, ratios: Arc::new(ratios), widths: None }
+        Self { ends, alike, rules, ratios: Arc::new(ratios), widths: None }
     }
 
     /// The same for an angle that is smaller by a factor.
@@ -241,15 +246,16 @@ impl CellBounds {
             return widths.clone();
         }
         let wholes = self.ends.each_ref().map(|ends| ends[ends.len() - 1] - ends[0]);
-        let (n_rows, n_columns) = (self.ratios.n_rows(), self.ratios.n_columns());
-        let mut widths = vec![wholes[1]; n_columns];
-        for i in 0..n_rows {
-            for (j, (width, &ratio)) in widths.iter_mut().zip(self.ratios.row(i)).enumerate() {
-                let [_, b] = self.rules.largest([i, j], ratio);
+        // Of each kind of rows and of columns.
+        let [rows, columns] = Direction::BOTH.map(|along| self.alike.firsts(along));
+        let mut widths = vec![wholes[1]; columns.len()];
+        for &i in rows {
+            for (&j, width) in columns.iter().zip(&mut widths) {
+                let [_, b] = self.rules.largest([i, j], self.ratios.row(i)[j]);
                 *width = width.min(b);
             }
         }
-        let rules = CompactRules::new(&self.rules, [n_rows, n_columns]);
+        let rules = CompactRules::new(&self.rules, [rows, columns]);
         let balanced = |factor: f64| {
             let mut columns: Vec<f64> =
                 widths.iter().map(|width| (factor * width).min(wholes[1])).collect();
@@ -257,17 +263,17 @@ impl CellBounds {
             for (width, wider) in columns.iter_mut().zip(rules.widest_columns(&rows, wholes[1])) {
                 *width = width.max(wider);
             }
-            let counts = [count(&self.ends[0], &rows), count(&self.ends[1], &columns)];
+            let counts = [self.count(Direction::U, &rows), self.count(Direction::V, &columns)];
             [(rows, counts[0]), (columns, counts[1])]
         };
         let cost = |found: &PieceWidths| found[0].1 * found[1].1;
         let mut best = (1.0, balanced(1.0));
         let mut step = BALANCE_STEP;
-        for _ in 0..BALANCE_ROUNDS {
+        'search: for _ in 0..BALANCE_ROUNDS {
             let (middle, mut is_best): (f64, bool) = (best.0, true);
             for factor in [middle / step, middle * step] {
-                if !work::goes_on(n_rows as u64) {
-                    return best.1;
+                if !work::goes_on(rows.len() as u64) {
+                    break 'search;
                 }
                 let found = balanced(factor);
                 if cost(&found) < BALANCE_GAIN * cost(&best.1) {
@@ -278,12 +284,18 @@ impl CellBounds {
                 step = step.sqrt();
             }
         }
-        best.1
+        let [rows, columns] = best.1;
+        [(Direction::U, rows), (Direction::V, columns)].map(|(along, (widths, n_cells))| {
+            let kinds = self.alike.kinds(along).iter();
+            (kinds.map(|&kind| widths[kind]).collect(), n_cells)
+        })
     }
-}
 
-fn count(ends: &[f64], widths: &[f64]) -> f64 {
-    ends.windows(2).zip(widths).map(|(ends, width)| (ends[1] - ends[0]) / width).sum()
+    /// How many cells of these widths, one for each kind of pieces, there are along a direction.
+    fn count(&self, along: Direction, widths: &[f64]) -> f64 {
+        let pieces = self.ends[along].windows(2).zip(self.alike.kinds(along));
+        pieces.map(|(ends, &kind)| (ends[1] - ends[0]) / widths[kind]).sum()
+    }
 }
 
 /// The limits beside lines that keep to the tolerance on their own.
@@ -302,11 +314,6 @@ fn line_forms(
         let of = |is_beside: bool, bend: f64| if is_beside { bend } else { 0.0 };
         ParameterBoxes::new([of(beside_v[j], uu), 0.0, of(beside_u[i], vv)]).scaled(per_tolerance)
     })
-}
-
-fn ratio(bend: &PieceBounds) -> f64 {
-    let ratio = bend.middle[0].length() / bend.middle[1].length();
-    if ratio.is_normal() { ratio } else { 1.0 }
 }
 
 /// The square of the length of a box's diagonal.
@@ -350,41 +357,4 @@ fn unfolded(bend: &PieceBounds) -> ParameterBoxes {
     let per_u = turn(along_u, uu).max(turn(along_v, uv)) / room;
     let per_v = turn(along_u, uv).max(turn(along_v, vv)) / room;
     ParameterBoxes { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v }
-}
-
-/// The square of the distance between unit normals over a box, by their differences between
-/// places of each piece.
-fn turns(surface: &NurbsSurface, ends: &[Vec<f64>; 2], n_threads: usize) -> Grid<ParameterBoxes> {
-    const N: usize = PLACES.len();
-    let [us, vs] = ends.each_ref().map(|ends| -> Vec<f64> {
-        let at = |pair: &[f64]| PLACES.map(|place| pair[0] + (pair[1] - pair[0]) * place);
-        ends.windows(2).flat_map(at).collect()
-    });
-    let normals = surface.samples_on_grid(&us, &vs, n_threads).normals;
-    Grid::from_fn(ends[0].len() - 1, ends[1].len() - 1, |i, j| {
-        let at: [[DVec3; N]; N] = from_fn(|k| from_fn(|l| normals.row(i * N + k)[j * N + l]));
-        let (us, vs) = (&us[i * N..][..N], &vs[j * N..][..N]);
-        // Between places one behind the other along u, at each of those along v; and the other way round.
-        let turns_u: [[DVec3; N]; N - 1] =
-            from_fn(|k| from_fn(|l| (at[k + 1][l] - at[k][l]) / (us[k + 1] - us[k])));
-        let turns_v: [[DVec3; N - 1]; N] =
-            from_fn(|k| from_fn(|l| (at[k][l + 1] - at[k][l]) / (vs[l + 1] - vs[l])));
-        let longest =
-            |turns: &[DVec3]| turns.iter().map(|turn| turn.length_squared()).fold(0.0, f64::max);
-        let mut most = ParameterBoxes {
-            uu: longest(turns_u.as_flattened()),
-            uv: 0.0,
-            vv: longest(turns_v.as_flattened()),
-        };
-        for k in 0..N - 1 {
-            for l in 0..N - 1 {
-                for turn_u in [turns_u[k][l], turns_u[k][l + 1]] {
-                    for turn_v in [turns_v[k][l], turns_v[k + 1][l]] {
-                        most.uv = most.uv.max(turn_u.dot(turn_v).abs());
-                    }
-                }
-            }
-        }
-        most
-    })
 }

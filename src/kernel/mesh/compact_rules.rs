@@ -20,10 +20,12 @@ struct CompactPiece {
 }
 
 impl CompactRules {
-    pub(super) fn new(rules: &PieceRules, [n_rows, n_columns]: [usize; 2]) -> Self {
+    /// Those of the pieces in some rows and columns.
+    pub(super) fn new(rules: &PieceRules, [rows, columns]: [&[usize]; 2]) -> Self {
         let counts = |form: &ParameterBoxes| *form != ParameterBoxes::NONE;
-        let mut forms = Vec::with_capacity(6 * n_rows * n_columns);
-        let pieces = Grid::from_fn(n_rows, n_columns, |i, j| {
+        let mut forms = Vec::with_capacity(6 * rows.len() * columns.len());
+        let pieces = Grid::from_fn(rows.len(), columns.len(), |row, column| {
+            let (i, j) = (rows[row], columns[column]);
             let first = forms.len();
             forms.extend(rules.besides().map(|forms| forms.row(i)[j]).filter(counts));
             let n_besides = forms.len() - first;

@@ -12,6 +12,7 @@
 //! mesh encloses nothing, `crossing` where it goes through itself, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
 //! `nesting` looks through, and takes away what of them is `flattened`.
 
+mod alike;
 mod any;
 mod arc_places;
 mod bend;
@@ -57,6 +58,7 @@ mod tessellate;
 mod topology;
 mod triangulation;
 mod trimmed;
+mod turns;
 mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};

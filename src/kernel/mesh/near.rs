@@ -12,9 +12,10 @@
 //! The slope is bounded by how far the normal turns: over the cell, which is a rule for its size,
 //! and over the path, by the curvature of the pieces around.
 
-use std::{f64::consts::PI, ops::Range};
+use std::f64::consts::PI;
 
 use super::{
+    alike::AlikePieces,
     bend::PieceBounds,
     form::ParameterBoxes,
     rules::{BendRules, BendingSide, NormalRules},
@@ -50,47 +51,61 @@ struct SteadyNormal {
 pub(super) fn bend_rules(
     pieces: &Grid<PieceBounds>,
     ends: &[Vec<f64>; 2],
-    ratios: &Grid<f64>,
+    alike: &AlikePieces,
     breaks: [&[f64]; 2],
     lines: Option<&Grid<ParameterBoxes>>,
     tolerance: f64,
 ) -> Grid<BendRules> {
-    let steady = Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
+    let steady = alike.grid(|i, j| {
         let widths = [ends[0][i + 1] - ends[0][i], ends[1][j + 1] - ends[1][j]];
         steady(&pieces.row(i)[j], widths)
     });
     let slide = MAX_SLIDE * tolerance;
-    // The pieces beside, but for those behind a line where the surface is broken.
-    let around = Direction::BOTH.map(|along| -> Vec<Range<usize>> {
-        let (ends, breaks) = (&ends[along], breaks[along]);
-        let of = |i: usize| {
-            let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
-            let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
-            first..if is_last { i + 1 } else { i + 2 }
-        };
-        (0..ends.len() - 1).map(of).collect()
-    });
+    let around = Direction::BOTH.map(|along| around(alike, along, &ends[along], breaks[along]));
+    let [rows, columns] = Direction::BOTH.map(|along| alike.kinds(along));
     let of_normal = |i: usize, j: usize| {
         let this = steady.row(i)[j].as_ref()?;
         let mut curvature = 0.0_f64;
-        for k in around[0][i].clone() {
-            for l in around[1][j].clone() {
+        for &(k, is_row) in &around[0][rows[i]] {
+            for &(l, is_column) in &around[1][columns[j]] {
                 let beside = steady.row(k)[l].as_ref()?;
-                if (k, l) != (i, j) && beside.extent < slide {
+                if !(is_row && is_column) && beside.extent < slide {
                     return None;
                 }
                 curvature = curvature.max(beside.curvature);
             }
         }
         let line = lines.map_or(ParameterBoxes::NONE, |lines| lines.row(i)[j]);
-        let rules = near(&pieces.row(i)[j], this, curvature * slide, ratios.row(i)[j], tolerance)?;
+        let rules = near(&pieces.row(i)[j], this, curvature * slide, tolerance)?;
         Some(NormalRules { line, ..rules })
     };
     let per_tolerance = 1.0 / (8.0 * tolerance);
-    Grid::from_fn(pieces.n_rows(), pieces.n_columns(), |i, j| {
+    alike.grid(|i, j| {
         let whole = ParameterBoxes::new(pieces.row(i)[j].second).scaled(per_tolerance);
         BendRules { whole, near: of_normal(i, j) }
     })
+}
+
+/// The pieces that each kind touches along a direction, by the first that is like them, but for those behind a line
+/// where the surface is broken; and whether it is the piece itself, not one beside it.
+fn around(
+    alike: &AlikePieces,
+    along: Direction,
+    ends: &[f64],
+    breaks: &[f64],
+) -> Vec<Vec<(usize, bool)>> {
+    let mut around: Vec<Vec<(usize, bool)>> = vec![Vec::new(); alike.firsts(along).len()];
+    for (i, &kind) in alike.kinds(along).iter().enumerate() {
+        let first = if i == 0 || breaks.contains(&ends[i]) { i } else { i - 1 };
+        let is_last = i + 2 == ends.len() || breaks.contains(&ends[i + 1]);
+        for k in first..=if is_last { i } else { i + 1 } {
+            let piece = (alike.first_like(along, k), k == i);
+            if !around[kind].contains(&piece) {
+                around[kind].push(piece);
+            }
+        }
+    }
+    around
 }
 
 /// The rules of a piece from where a path turns the normal by no more than `strayed`.
@@ -98,13 +113,12 @@ fn near(
     bend: &PieceBounds,
     this: &SteadyNormal,
     strayed: f64,
-    ratio: f64,
     tolerance: f64,
 ) -> Option<NormalRules> {
     let most = |i: usize| bend.lift[i][1].max(-bend.lift[i][0]);
     let per_tolerance = 1.0 / (8.0 * tolerance);
     let about: [f64; 3] = std::array::from_fn(|i| most(i) + this.swing * bend.across[i]);
-    let [a, b] = ParameterBoxes::new(about).scaled(per_tolerance).largest(ratio);
+    let [a, b] = ParameterBoxes::new(about).scaled(per_tolerance).largest(bend.ratio());
     let room = 2.0 * (FLAT_SLOPE / TILT - strayed);
     let wanted = TURN_MARGIN * (a * this.turns[0] + b * this.turns[1]);
     let turn = if wanted < room { wanted } else { room };

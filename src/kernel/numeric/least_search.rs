@@ -200,7 +200,8 @@ where
         for times in [1.0, 3.0, 7.0] {
             let values = self.moved(&out, times)?.1;
             let beyond = self.merit(&values);
-            if beyond.is_nan() || least < beyond {
+            // Whatever is no number is not lower either.
+            if !(beyond <= least) {
                 return Ok(false);
             }
             least = beyond;
