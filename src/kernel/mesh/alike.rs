@@ -8,7 +8,10 @@ use std::ops::RangeInclusive;
 use glam::{DMat3, DVec3};
 
 use crate::{
-    Direction, Grid, NurbsSurface, frame::unit, homogeneous::place, tolerance::EXACT_RELATIVE,
+    Direction, Grid, NurbsSurface,
+    frame::unit,
+    homogeneous::place,
+    tolerance::{EXACT_RELATIVE, TOUCH_RELATIVE},
 };
 
 /// Spans are compared with so many that differ from one another, no more.
@@ -47,7 +50,11 @@ impl AlikePieces {
     /// Those of a surface in so many equal parts of each span; `strips` are the surface divided into Bézier strips,
     /// of steps along u and of steps along v.
     pub(super) fn of(strips: [&NurbsSurface; 2], n_parts: [usize; 2]) -> Self {
-        let kinds = Direction::BOTH.map(|along| Kinds::of(strips[along], along, n_parts[along]));
+        let kinds = Direction::BOTH.map(|along| {
+            let kinds = Kinds::of(strips[along], along, n_parts[along]);
+            // In a plane it is told by directions whether pieces fold over one another.
+            if is_flat(strips[along]) { Kinds::apart(kinds.of.len()) } else { kinds }
+        });
         Self { kinds }
     }
 
@@ -106,6 +113,17 @@ impl AlikePieces {
         }
         Grid::from_rows_of(n_columns, values)
     }
+}
+
+/// Whether all control points are in a plane, or nearly.
+fn is_flat(surface: &NurbsSurface) -> bool {
+    let net = surface.control_points().map(|&point| (place(point), point.w));
+    let whole = Strip { net: &net, lines: 0..=net.n_rows() - 1, length: 1.0 };
+    let Some(anchors) = whole.anchors() else { return true };
+    let Some(axes) = whole.axes(&anchors) else { return true };
+    let [origin, far, _] = anchors.0.map(|anchor| whole.place(anchor));
+    let room = TOUCH_RELATIVE * origin.distance(far);
+    whole.points().all(|(_, _, place, _)| axes.z_axis.dot(place - origin).abs() <= room)
 }
 
 impl Kinds {
@@ -243,6 +261,13 @@ mod tests {
         let slope = NurbsCurve::line(DVec3::X, dvec3(2.0, 0.0, 1.0)).unwrap();
         let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
         check(&NurbsSurface::revolved(&slope, axis, TAU).unwrap(), [2, 3], [2, 3]);
+    }
+
+    #[test]
+    fn in_a_plane_nothing_is_alike() {
+        let radius = NurbsCurve::line(DVec3::X, 2.0 * DVec3::X).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        check(&NurbsSurface::revolved(&radius, axis, TAU).unwrap(), [2, 3], [8, 3]);
     }
 
     #[test]
