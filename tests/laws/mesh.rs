@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use glam::{DAffine3, DVec3};
 use proptest::{prop_assert, prop_assert_eq, proptest};
 use virote_kernel::{
-    CountError, GeomError, Mesh, NurbsSurface, grid_mesh, polygon_mesh, tessellate,
-    tessellate_curve,
+    Axis, CountError, GeomError, Mesh, NurbsCurve, NurbsSurface, grid_mesh, polygon_mesh,
+    tessellate, tessellate_curve,
 };
 
 use crate::some::{curve, sphere, surface};
@@ -167,6 +167,23 @@ fn triangles_face_their_normals() {
     let ball = sphere(DVec3::ZERO, 1.0);
     check_facing(&grid_mesh(&ball, 9, 7, MOST, 1).unwrap());
     check_facing(&tessellate(&ball, 1e-2, MOST).unwrap());
+}
+
+proptest! {
+    /// However much wider than the ring the tolerance is.
+    #[test]
+    fn a_flat_ring_does_not_fold(
+        inner in 0.1..1.99_f64,
+        sweep in 0.1..6.2_f64,
+        tolerance in 0.01..2.0_f64,
+        leans in proptest::bool::ANY,
+    ) {
+        let across = if leans { DVec3::new(1.2, 1.6, 0.0) } else { DVec3::X * 2.0 };
+        let radius = NurbsCurve::line(DVec3::X * inner, across).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        let ring = NurbsSurface::revolved(&radius, axis, sweep).unwrap();
+        check_facing(&tessellate(&ring, tolerance, MOST).unwrap());
+    }
 }
 
 #[test]
