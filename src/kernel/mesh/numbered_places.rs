@@ -4,52 +4,45 @@ use std::hash::{BuildHasher, RandomState};
 
 use glam::DVec3;
 
-/// Places in the order in which they come, each once: those that are one to the last bit are one, and zero has no sign.
+/// The places that are one to the last bit, zero without a sign, each once in the order in which they come; and the
+/// number of each of those given.
 ///
-/// A table of numbers with open addressing: the places themselves stand beside it, and are looked at only where a part
-/// of the hash agrees. Knuth, *The Art of Computer Programming*, vol. 3, §6.4, algorithm L.
-pub(super) struct NumberedPlaces {
-    places: Vec<DVec3>,
-    /// In the upper half a part of the hash, in the lower one more than the number of the place; zero where it is free.
-    slots: Vec<u64>,
-    hasher: RandomState,
-}
+/// By sorting parts of their hashes, each with the index of its place: a table would be looked into anywhere, which waits
+/// for memory each time. Knuth, *The Art of Computer Programming*, vol. 3, §6.4.
+pub(super) fn numbered(mut places: Vec<DVec3>) -> (Vec<DVec3>, Vec<u32>) {
+    let hasher = RandomState::new();
+    let key =
+        |(index, place): (usize, &DVec3)| hasher.hash_one(bits(*place)) >> 32 << 32 | index as u64;
+    let mut keys: Vec<u64> = places.iter().enumerate().map(key).collect();
+    keys.sort_unstable();
 
-impl NumberedPlaces {
-    /// None yet, with room for so many.
-    pub(super) fn with_room_for(most: usize) -> Self {
-        Self {
-            places: Vec::with_capacity(most),
-            slots: vec![0; (2 * most + 1).next_power_of_two()],
-            hasher: RandomState::new(),
+    // The first of each, among those of one hash, whose indices ascend.
+    let mut numbers: Vec<u32> = (0..places.len() as u32).collect();
+    let mut known: Vec<u32> = Vec::new();
+    for alike in keys.chunk_by(|a, b| a >> 32 == b >> 32).filter(|alike| 1 < alike.len()) {
+        known.clear();
+        for index in alike.iter().map(|key| *key as u32) {
+            let own = bits(places[index as usize]);
+            match known.iter().find(|first| bits(places[**first as usize]) == own) {
+                Some(first) => numbers[index as usize] = *first,
+                None => known.push(index),
+            }
         }
     }
 
-    /// The number of a place, a new one where it is not known. There must be room for it.
-    pub(super) fn number(&mut self, place: DVec3) -> u32 {
-        let bits = bits(place);
-        let hash = self.hasher.hash_one(bits);
-        let (last, part) = (self.slots.len() - 1, hash >> 32);
-        let mut at = hash as usize & last;
-        loop {
-            let slot = self.slots[at];
-            if slot == 0 {
-                self.places.push(place);
-                self.slots[at] = part << 32 | self.places.len() as u64;
-                return self.places.len() as u32 - 1;
-            }
-            let number = slot as u32 - 1;
-            if slot >> 32 == part && self::bits(self.places[number as usize]) == bits {
-                return number;
-            }
-            at = (at + 1) & last;
+    let mut n_places = 0;
+    for index in 0..places.len() {
+        let first = numbers[index] as usize;
+        if first == index {
+            places[n_places] = places[index];
+            numbers[index] = n_places as u32;
+            n_places += 1;
+        } else {
+            numbers[index] = numbers[first];
         }
     }
-
-    /// The places by their numbers.
-    pub(super) fn into_places(self) -> Vec<DVec3> {
-        self.places
-    }
+    places.truncate(n_places);
+    (places, numbers)
 }
 
 fn bits(place: DVec3) -> [u64; 3] {
@@ -60,26 +53,25 @@ fn bits(place: DVec3) -> [u64; 3] {
 mod tests {
     use glam::DVec3;
 
-    use super::NumberedPlaces;
+    use super::numbered;
 
     #[test]
     fn places_are_numbered_once_and_zero_has_no_sign() {
-        let mut numbered = NumberedPlaces::with_room_for(4);
         let one = DVec3::new(1.0, 0.0, 2.0);
         let beside = DVec3::new(1.0_f64.next_up(), 0.0, 2.0);
-        let places = [one, DVec3::ZERO, beside, -DVec3::ZERO, DVec3::new(1.0, -0.0, 2.0), beside];
-        let numbers = places.map(|place| numbered.number(place));
+        let given = [one, DVec3::ZERO, beside, -DVec3::ZERO, DVec3::new(1.0, -0.0, 2.0), beside];
+        let (places, numbers) = numbered(given.to_vec());
         assert_eq!(numbers, [0, 1, 2, 1, 0, 2]);
-        assert_eq!(numbered.into_places(), [one, DVec3::ZERO, beside]);
+        assert_eq!(places, [one, DVec3::ZERO, beside]);
+        assert_eq!(numbered(Vec::new()), (Vec::new(), Vec::new()));
     }
 
     #[test]
-    fn as_many_as_there_is_room_for_find_themselves_again() {
+    fn places_that_come_again_have_their_numbers() {
         let place = |i: u32| DVec3::new(f64::from(i % 10), f64::from(i / 10), -1.0);
-        let mut numbered = NumberedPlaces::with_room_for(1000);
-        for round in 0..2 {
-            assert!((0..1000).all(|i| numbered.number(place(i)) == i), "round {round}");
-        }
-        assert_eq!(NumberedPlaces::with_room_for(0).into_places(), []);
+        let given: Vec<DVec3> = (0..2000).map(|i| place(i % 1000)).collect();
+        let (places, numbers) = numbered(given.clone());
+        assert_eq!(places, given[..1000]);
+        assert!((0..2000).all(|i| numbers[i as usize] == i % 1000));
     }
 }

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{Mesh, numbered_places::NumberedPlaces};
+use super::{Mesh, numbered_places::numbered};
 use crate::{Bounds, tolerance::VANISHING_RELATIVE};
 
 /// A side of a triangle, from the lesser of its places.
@@ -137,16 +137,18 @@ impl Mesh {
 
 /// The places of all vertices, and the triangles of all meshes over these.
 fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-    let most = meshes.iter().map(|mesh| mesh.n_vertices()).sum();
-    let mut places = NumberedPlaces::with_room_for(most);
+    let mut places = Vec::with_capacity(meshes.iter().map(|mesh| mesh.n_vertices()).sum());
+    meshes.iter().for_each(|mesh| places.extend_from_slice(mesh.vertices()));
+    let (places, numbers) = numbered(places);
     let mut triangles = Vec::with_capacity(meshes.iter().map(|mesh| mesh.n_triangles()).sum());
+    let mut before = 0;
     for mesh in meshes {
-        let numbers: Vec<u32> =
-            mesh.vertices().iter().map(|&vertex| places.number(vertex)).collect();
-        let numbered = |corners: &[u32; 3]| corners.map(|corner| numbers[corner as usize]);
-        triangles.extend(mesh.triangles().iter().map(numbered));
+        let numbers = &numbers[before..];
+        let of_places = |corners: &[u32; 3]| corners.map(|corner| numbers[corner as usize]);
+        triangles.extend(mesh.triangles().iter().map(of_places));
+        before += mesh.n_vertices();
     }
-    (places.into_places(), triangles)
+    (places, triangles)
 }
 
 impl SidesByPlace {
