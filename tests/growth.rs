@@ -188,6 +188,13 @@ const SHAPES: &[Shape] = &[
     // Operations on lists.
     ("a list that grows by `fold`", "let a = fold(1..@, [], (b, i) => [...b, i])\n", "", "", ""),
     (
+        "a list with a name in a block that grows by `fold`",
+        "fn more(b) = [...b, 0]\nlet a = fold(1..@, [], (b, i) => { let c = [...b, i]\nmore(c) })\n",
+        "",
+        "",
+        "",
+    ),
+    (
         "a list of points that grows by `fold`",
         "let a = fold(1..@, [], (b, i) => if i % 3 == 0 then b else { let p = (i, i)\n[...b, p, p] })\n",
         "",

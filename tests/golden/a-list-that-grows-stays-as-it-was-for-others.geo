@@ -45,3 +45,21 @@ fn later(n, list) = if n == 0 then [] else [...later(n - 1, [...list, n]), len(l
 check later(3, []) == [2, 1, 0] "what is asked for after the call"
 fn labelled(n, list = [], more = 0) = if n == 0 then list else labelled(list = [...list, n], n = n - 1, more = len(list))
 check labelled(3) == [3, 2, 1] "by name"
+
+// By a name of a block, from which the last call has it.
+fn named(n, list) = if n == 0 then list else { let m = [...list, n]; named(n - 1, m) }
+check named(500, []) == [for i in 0..<500: 500 - i]
+check len(named(3, start)) == 103 and len(start) == 100 "what others have"
+fn chain(n, list) = if n == 0 then list else { let m = [...list, n]  let k = [...m, -n]; if n % 2 == 0 then chain(n - 1, k) else chain(list = k, n = n - 1) }
+check chain(3, []) == [3, -3, 2, -2, 1, -1] "one out of another"
+fn beside(n, list) = if n == 0 then list else { let m = [...list, n]  let k = [...list, -n]; beside(n - 1, [...m, len(k), len(list)]) }
+check beside(2, [5]) == [5, 2, 2, 1, 1, 5, 4] "two of one"
+fn joined(a, b) = [...a, ...b]
+fn twofold(n, list) = { let m = [...list, n]; joined(m, m) }
+check twofold(1, [2]) == [2, 1, 2, 1] "two arguments of one"
+fn after(n, list) = { let m = [...list, n]; joined(m, [len(m)]) }
+check after(1, [2]) == [2, 1, 2] "named by an argument behind"
+fn inside(n, list) = { let m = [...list, n]  let f = () => [...m, len(list)]; joined(m, f()) }
+check inside(1, [2]) == [2, 1, 2, 1, 1] "held by a function inside"
+fn pinned(n, list) = { points m = [...list, (n, 0)]; if n == 0 then m else pinned(n - 1, m) }
+check pinned(2, []) == [(2, 0), (1, 0), (0, 0)] "of a kind"

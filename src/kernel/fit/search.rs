@@ -63,13 +63,15 @@ pub(super) struct FittedCurve {
     pub(super) worst: f64,
     /// The sum of their squares.
     squares: f64,
+    /// Point, first and second derivative of the curve at each parameter, where they were asked for.
+    places: Vec<[DVec3; 3]>,
 }
 
 impl FittedCurve {
     pub(super) fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
         let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
         let squares = misses.iter().map(|miss| miss * miss).sum();
-        Self { curve, parameters, misses, worst, squares }
+        Self { curve, parameters, misses, worst, squares, places: Vec::new() }
     }
 
     pub(super) fn n_control(&self) -> usize {
@@ -104,11 +106,16 @@ impl FitSearch<'_> {
             return self.interpolated(parameters);
         };
         let mut best = first;
+        let mut is_at_rest = false;
         for _ in 0..FIT_ROUNDS {
             let n = best.n_control();
             let spread = self.respread(best, self.degree + 1);
-            let thinned = self.thinned_at_once(spread);
-            best = self.thinned(thinned);
+            best = self.thinned_at_once(spread);
+            // It is the curve of which no knot could go.
+            if is_at_rest && n <= best.n_control() {
+                break;
+            }
+            (best, is_at_rest) = self.thinned(best);
             // With fewer knots, and parameters that slid, they may be needed elsewhere.
             if n <= best.n_control() {
                 break;
@@ -167,21 +174,25 @@ impl FitSearch<'_> {
     /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
     fn slid(&mut self, trial: &FittedCurve, along: f64) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
-        let parameters = self.corrected(&trial.curve, trial.parameters.clone());
+        let parameters =
+            self.corrected(&trial.curve, trial.parameters.clone(), Some(&trial.places));
         let places = slid(&trial.curve, &parameters, self.points, along)?;
         let curve = NurbsCurve::polynomial(trial.curve.knots().clone(), &places).ok()?;
-        let parameters = self.corrected(&curve, parameters);
+        let parameters = self.corrected(&curve, parameters, None);
         let (mut least, mut sum) = (f64::MAX, 0.0);
         let mut misses = Vec::with_capacity(parameters.len());
-        curve.evaluator().each_second_order(&parameters, |[value, velocity, _]| {
+        let mut places = Vec::with_capacity(parameters.len());
+        curve.evaluator().each_second_order(&parameters, |place| {
+            let [value, velocity, _] = place;
             let speed = velocity.length();
             (least, sum) = (speed.min(least), sum + speed);
             misses.push(value.distance(self.points[misses.len()]));
+            places.push(place);
         });
         if least < LEAST_SPEED * sum / parameters.len() as f64 {
             return None;
         }
-        Some(FittedCurve::new(curve, parameters, misses))
+        Some(FittedCurve { places, ..FittedCurve::new(curve, parameters, misses) })
     }
 
     fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<FittedCurve> {
@@ -195,11 +206,17 @@ impl FitSearch<'_> {
         Some(FittedCurve::new(curve, parameters, misses))
     }
 
-    /// One step of each inner parameter towards the nearest place of the curve, in order.
-    fn corrected(&self, curve: &NurbsCurve, mut parameters: Vec<f64>) -> Vec<f64> {
+    /// One step of each inner parameter towards the nearest place of the curve, in order; `known` are the places at the
+    /// parameters, if they are.
+    fn corrected(
+        &self,
+        curve: &NurbsCurve,
+        mut parameters: Vec<f64>,
+        known: Option<&[[DVec3; 3]]>,
+    ) -> Vec<f64> {
         let curve = curve.evaluator();
         let mut steps = Vec::with_capacity(parameters.len());
-        curve.each_second_order(&parameters, |[value, first, second]| {
+        let mut step_from = |[value, first, second]: [DVec3; 3]| {
             let i = steps.len();
             let miss = value - self.points[i];
             let speed = first.length_squared();
@@ -207,7 +224,11 @@ impl FitSearch<'_> {
             let slope = if 0.0 < bent { bent } else { speed };
             let step = if 0.0 < slope { miss.dot(first) / slope } else { 0.0 };
             steps.push((parameters[i] - step, miss.length_squared()));
-        });
+        };
+        match known.filter(|known| known.len() == parameters.len()) {
+            Some(known) => known.iter().copied().for_each(step_from),
+            None => curve.each_second_order(&parameters, &mut step_from),
+        }
         // Few of them come upon a neighbour: the others are looked at together.
         let places: Vec<f64> = steps.iter().map(|step| step.0).collect();
         let mut found = Vec::with_capacity(places.len());

@@ -56,8 +56,8 @@ impl FitSearch<'_> {
         costs
     }
 
-    /// Takes knots away one by one, of those that cost least the first that can go.
-    pub(super) fn thinned(&mut self, first: FittedCurve) -> FittedCurve {
+    /// Takes knots away one by one, of those that cost least the first that can go; whether it ended because none can.
+    pub(super) fn thinned(&mut self, first: FittedCurve) -> (FittedCurve, bool) {
         let mut best = first;
         while best.n_control() <= FEW && 0 < self.left {
             let costs = self.costs(&best.curve);
@@ -68,9 +68,9 @@ impl FitSearch<'_> {
             };
             match costs.iter().take(KNOTS_TRIED).find_map(without) {
                 Some(trial) => best = trial,
-                None => break,
+                None => return (best, true),
             }
         }
-        best
+        (best, false)
     }
 }

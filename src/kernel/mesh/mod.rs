@@ -7,7 +7,7 @@
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface, whose borders are
 //! the `legs` of arcs and come together where they are `pinched`. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
-//! hang together, `orient` which of them face inward, `measure` area, volume and their centres, `deviation` how far one is from a
+//! hang together, `orient` which of them face inward, over `numbered_places`, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `crossing` where it goes through itself, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
 //! `nesting` looks through, and takes away what of them is `flattened`.
@@ -39,6 +39,7 @@ mod measure;
 mod near;
 mod nearest;
 mod nesting;
+mod numbered_places;
 mod orient;
 mod outline;
 mod pinched;

@@ -10,7 +10,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::Mesh;
+use super::{Mesh, numbered_places::numbered};
 use crate::{Bounds, tolerance::VANISHING_RELATIVE};
 
 /// A side of a triangle, from the lesser of its places.
@@ -43,6 +43,13 @@ struct ClosedShell {
     is_mixed: bool,
 }
 
+/// The closed parts, and which of them each triangle that stands for one has.
+struct ClosedShells {
+    all: Vec<ClosedShell>,
+    /// One more than the number of the shell; zero where there is none.
+    by_root: Vec<u32>,
+}
+
 /// For each triangle of each mesh, whether it must turn so that closed shells face outward; several
 /// meshes may make one shell.
 ///
@@ -65,13 +72,13 @@ pub fn facing_inward(meshes: &[&Mesh]) -> Vec<Vec<bool>> {
     let turns = |shell: &ClosedShell| {
         let [volume, added] = shell.volume;
         let is_inward = volume < -VANISHING_RELATIVE * added;
-        let is_cavity = || shells.values().any(|other| is_inside(shell.bounds, other.bounds));
+        let is_cavity = || shells.all.iter().any(|other| is_inside(shell.bounds, other.bounds));
         is_inward && (shell.is_mixed || !is_cavity())
     };
-    let turned: HashMap<u32, bool> =
-        shells.iter().map(|(&root, shell)| (root, turns(shell))).collect();
-    let mut all =
-        found.iter().map(|(root, differs)| turned.get(root).is_some_and(|turns| turns != differs));
+    let turned: Vec<bool> = shells.all.iter().map(turns).collect();
+    let mut all = found
+        .iter()
+        .map(|&(root, differs)| shells.of(root).is_some_and(|shell| turned[shell] != differs));
     meshes.iter().map(|mesh| all.by_ref().take(mesh.n_triangles()).collect()).collect()
 }
 
@@ -130,21 +137,16 @@ impl Mesh {
 
 /// The places of all vertices, and the triangles of all meshes over these.
 fn gathered(meshes: &[&Mesh]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-    let most = meshes.iter().map(|mesh| mesh.n_vertices()).sum();
-    let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(most);
-    let mut places = Vec::with_capacity(most);
+    let mut places = Vec::with_capacity(meshes.iter().map(|mesh| mesh.n_vertices()).sum());
+    meshes.iter().for_each(|mesh| places.extend_from_slice(mesh.vertices()));
+    let (places, numbers) = numbered(places);
     let mut triangles = Vec::with_capacity(meshes.iter().map(|mesh| mesh.n_triangles()).sum());
+    let mut before = 0;
     for mesh in meshes {
-        let mut name = |place: DVec3| {
-            // Zero has no sign.
-            let bits = (place + 0.0).to_array().map(f64::to_bits);
-            *known.entry(bits).or_insert_with(|| {
-                places.push(place);
-                places.len() as u32 - 1
-            })
-        };
-        let names: Vec<u32> = mesh.vertices().iter().map(|&vertex| name(vertex)).collect();
-        triangles.extend(mesh.triangles().iter().map(|corners| corners.map(|i| names[i as usize])));
+        let numbers = &numbers[before..];
+        let of_places = |corners: &[u32; 3]| corners.map(|corner| numbers[corner as usize]);
+        triangles.extend(mesh.triangles().iter().map(of_places));
+        before += mesh.n_vertices();
     }
     (places, triangles)
 }
@@ -209,14 +211,21 @@ fn open(sides: &SidesByPlace, found: &[(u32, bool)]) -> Vec<bool> {
     is_open
 }
 
-/// The closed parts, by the triangles that stand for them.
+impl ClosedShells {
+    /// The number of the shell for which a triangle stands.
+    fn of(&self, root: u32) -> Option<usize> {
+        (self.by_root[root as usize] as usize).checked_sub(1)
+    }
+}
+
+/// The closed parts.
 fn shells(
     places: &[DVec3],
     triangles: &[[u32; 3]],
     found: &[(u32, bool)],
     is_open: &[bool],
-) -> HashMap<u32, ClosedShell> {
-    let mut shells: HashMap<u32, ClosedShell> = HashMap::new();
+) -> ClosedShells {
+    let mut shells = ClosedShells { all: Vec::new(), by_root: vec![0; triangles.len()] };
     let Some(whole) = Bounds::of(places.iter().copied()) else { return shells };
     let size = whole.diagonal();
     for (corners, &(root, differs)) in triangles.iter().zip(found) {
@@ -229,8 +238,12 @@ fn shells(
         let [a, b, c] = corners.map(|corner| (corner - about) / size);
         let term = a.dot(b.cross(c));
         let bounds = Bounds::of(corners).unwrap_or(Bounds { min: about, max: about });
-        let shell =
-            shells.entry(root).or_insert(ClosedShell { bounds, volume: [0.0; 2], is_mixed: false });
+        let number = shells.of(root).unwrap_or_else(|| {
+            shells.all.push(ClosedShell { bounds, volume: [0.0; 2], is_mixed: false });
+            shells.by_root[root as usize] = shells.all.len() as u32;
+            shells.all.len() - 1
+        });
+        let shell = &mut shells.all[number];
         shell.bounds = shell.bounds.union(bounds);
         shell.volume[0] += if differs { -term } else { term };
         shell.volume[1] += term.abs();

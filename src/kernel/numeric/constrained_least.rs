@@ -53,7 +53,11 @@ impl LeastProblem<'_> {
         if end == LeastEnd::Unbounded {
             // It may have been far beside the unknowns at the start alone.
             let beyond = LeastProblem { start: &unknowns, ..*self }.searched(&mut asked)?;
-            if beyond.2 == LeastEnd::Settled && self.has_values_around(&beyond.0, &mut asked)? {
+            let is_told = match beyond.2 {
+                LeastEnd::Settled => self.has_values_around(&beyond.0, &mut asked)?,
+                told => matches!(told, LeastEnd::Pole | LeastEnd::Unattained),
+            };
+            if is_told {
                 (unknowns, values, end) = beyond;
             }
         }

@@ -23,7 +23,8 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) asked: &'a mut CountedFunctions<F>,
     /// A typical size of each unknown.
     pub(super) units: Vec<f64>,
-    /// What each function counts with: its steepness at the start is one.
+    /// What each function counts with: its steepness at the start is one, or where that is next to none its change over
+    /// sizes that were widened.
     weights: Vec<f64>,
     pub(super) place: Vec<f64>,
     pub(super) values: Vec<f64>,
@@ -59,11 +60,15 @@ where
             trail: LeastTrail::default(),
         };
         let mut gradients = search.gradients()?;
-        if search.widen_units(&gradients)? {
+        let narrow = search.units.clone();
+        let changes = search.widen_units(&gradients)?;
+        if search.units != narrow {
             gradients = search.gradients()?;
         }
-        for (idx, gradient) in gradients.iter().enumerate() {
-            let steepness = magnitude(gradient);
+        for (idx, (gradient, change)) in gradients.iter().zip(changes).enumerate() {
+            // A slope that is nothing beside that change tells nothing of the function's.
+            let slope = magnitude(gradient);
+            let steepness = if slope < LAST_BIT.sqrt() * change { change } else { slope };
             if 0.0 < steepness && steepness.is_finite() {
                 search.weights[idx] = 1.0 / steepness;
             }

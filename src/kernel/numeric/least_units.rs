@@ -59,63 +59,74 @@ where
 {
     /// Widens the sizes of unknowns that nothing bounds and that begin nearer to zero than others or one, where the
     /// functions hardly change over them: up to where one does, at most to the size of an unknown that begins at zero.
-    /// Whether any was widened.
-    pub(super) fn widen_units(&mut self, gradients: &[Vec<f64>]) -> Result<bool, E> {
+    /// By how much each function changes over those that were widened.
+    pub(super) fn widen_units(&mut self, gradients: &[Vec<f64>]) -> Result<Vec<f64>, E> {
         let whole = magnitude(&self.place).max(1.0);
-        let mut is_wider = false;
+        let mut changes = vec![0.0_f64; gradients.len()];
         for k in 0..self.place.len() {
             let is_free = self.problem.bounds[k].iter().all(|bound| bound.is_infinite());
             let begins_small = self.place[k] != 0.0 && self.units[k] < LEAST_UNIT_SHARE * whole;
             if !is_free || !begins_small {
                 continue;
             }
-            let telling: Vec<f64> = gradients
-                .iter()
-                .zip(&self.values)
-                .map(|(gradient, value)| LEAST_UNIT_SHARE * magnitude(gradient).max(value.abs()))
-                .collect();
-            let tells = |(gradient, telling): (&Vec<f64>, &f64)| *telling <= gradient[k].abs();
-            if !gradients.iter().zip(&telling).any(tells) {
-                self.units[k] = self.wider_unit(k, whole, (gradients, &telling))?;
-                is_wider = true;
+            let (unit, values) = self.wider_unit(k, whole, gradients)?;
+            self.units[k] = unit;
+            for ((most, there), here) in changes.iter_mut().zip(values).zip(&self.values) {
+                *most = most.max((there - here).abs());
             }
         }
-        Ok(is_wider)
+        Ok(changes)
     }
 
-    /// The size of an unknown over which a function changes by what tells, or bends.
+    /// The size of an unknown over which a function changes by what tells, or bends up, and the values there; its own size,
+    /// and the values of the place, if that is none wider.
     fn wider_unit(
         &mut self,
         k: usize,
         whole: f64,
-        (gradients, telling): (&[Vec<f64>], &[f64]),
-    ) -> Result<f64, E> {
+        gradients: &[Vec<f64>],
+    ) -> Result<(f64, Vec<f64>), E> {
         let sign = if 0.0 < gradients[0][k] { -1.0 } else { 1.0 };
-        let mut unit = self.units[k].max(whole * libm::pow(WIDER, -f64::from(MOST_WIDER)));
-        for _ in 0..=MOST_WIDER {
-            let wider = (WIDER * unit).min(whole);
+        let least = whole * libm::pow(WIDER, -f64::from(MOST_WIDER));
+        let mut found = (self.units[k], self.values.clone());
+        let mut wider = self.units[k];
+        // At its own size, and from the least one on.
+        for _ in 0..=MOST_WIDER + 1 {
             let mut place = self.place.clone();
             place[k] += sign * wider;
             let values = self.asked.values(&place)?;
-            let mut is_bent = false;
-            let mut is_told = false;
-            for (idx, (there, here)) in values.iter().zip(&self.values).enumerate() {
-                let change = there - here;
-                let even = sign * gradients[idx][k] / self.units[k] * wider;
-                let is_visible = TELLING_BITS * LAST_BIT * here.abs() < change.abs();
-                is_bent |=
-                    !there.is_finite() || is_visible && change.abs() < 2.0 * (change - even).abs();
-                is_told |= telling[idx] <= change.abs();
-            }
+            let (is_told, is_bent) = self.told(k, &values, gradients, sign * wider);
             if is_bent && !is_told {
                 break;
             }
-            unit = if values.iter().all(|value| value.is_finite()) { wider } else { unit };
+            if self.units[k] < wider && values.iter().all(|value| value.is_finite()) {
+                found = (wider, values);
+            }
             if is_told || is_bent || whole <= wider {
                 break;
             }
+            wider = (WIDER * wider).max(least).min(whole);
         }
-        Ok(unit)
+        Ok(found)
+    }
+
+    /// Whether a function changes by what tells where an unknown is a step farther, and whether one bends: the first, which
+    /// is to be least, up, as it does behind its least value. One that only falls faster has none there.
+    fn told(&self, k: usize, there: &[f64], gradients: &[Vec<f64>], step: f64) -> (bool, bool) {
+        let (mut is_told, mut is_bent) = (false, false);
+        for (idx, (there, here)) in there.iter().zip(&self.values).enumerate() {
+            let gradient = &gradients[idx];
+            let telling = LEAST_UNIT_SHARE * magnitude(gradient).max(here.abs());
+            let change = there - here;
+            let beside_even = change - gradient[k] / self.units[k] * step;
+            let bend = if idx == 0 { beside_even } else { beside_even.abs() };
+            let is_visible = TELLING_BITS * LAST_BIT * here.abs() < change.abs();
+            is_bent |= !there.is_finite() || is_visible && change.abs() < 2.0 * bend;
+            // A slope that rounding hides tells nothing.
+            let is_sloped = telling <= gradient[k].abs() && 0.0 < change.abs();
+            is_told |= is_sloped || telling <= change.abs();
+        }
+        (is_told, is_bent)
     }
 }
 
@@ -177,5 +188,103 @@ mod tests {
             }
             assert_ne!(ends(|x| -libm::exp(x), start), LeastEnd::Settled);
         }
+    }
+
+    type Function = fn(&[f64]) -> (f64, Vec<f64>);
+
+    /// How searches for the least value of a function end that knows its slopes.
+    #[track_caller]
+    fn check_ends(functions: &[Function], starts: &[&[f64]], end: LeastEnd) {
+        for (i, function) in functions.iter().enumerate() {
+            for start in starts {
+                let answers = |x: &[f64], _| {
+                    let (value, slopes) = function(x);
+                    Ok::<_, ()>(Answers { values: vec![value], gradients: Some(vec![slopes]) })
+                };
+                let problem =
+                    LeastProblem { start, bounds: &vec![FREE; start.len()], n_equations: 0 };
+                let found = problem.find(answers).expect("no failure");
+                assert_eq!(found.end, end, "{i} from {start:?}: {found:?}");
+            }
+        }
+    }
+
+    const STARTS: [&[f64]; 9] =
+        [&[1e-12], &[1e-9], &[-1e-9], &[1e-7], &[1e-5], &[-1e-4], &[1e-3], &[0.1], &[2.0]];
+
+    #[test]
+    fn poles_are_told_from_starts_beside_zero() {
+        let of_one: [Function; 6] = [
+            |x| (-1.0 / (x[0] * x[0]), vec![2.0 / libm::pow(x[0], 3.0)]),
+            |x| (libm::log(x[0].abs()), vec![1.0 / x[0]]),
+            |x| (-1.0 / x[0].abs(), vec![x[0].signum() / (x[0] * x[0])]),
+            |x| (-libm::pow(x[0] - 1.0, -2.0), vec![2.0 * libm::pow(x[0] - 1.0, -3.0)]),
+            |x| (libm::log((x[0] - 1.0).abs()), vec![1.0 / (x[0] - 1.0)]),
+            |x| {
+                (
+                    -1.0 / (x[0] - 3.0).abs(),
+                    vec![(x[0] - 3.0).signum() * libm::pow(x[0] - 3.0, -2.0)],
+                )
+            },
+        ];
+        check_ends(&of_one, &STARTS, LeastEnd::Pole);
+        let of_two: [Function; 4] = [
+            |x| {
+                let square = x[0] * x[0] + x[1] * x[1];
+                let factor = 2.0 / (square * square);
+                (-1.0 / square, vec![factor * x[0], factor * x[1]])
+            },
+            |x| {
+                let square = x[0] * x[0] + x[1] * x[1];
+                (libm::log(square), vec![2.0 * x[0] / square, 2.0 * x[1] / square])
+            },
+            // It rises to the other side, and nowhere is steepest towards the pole.
+            |x| {
+                let [a, b] = [x[0], x[1]];
+                let square = a * a + b * b;
+                let part = 1.0 / (square * square);
+                (-a / square, vec![(a * a - b * b) * part, 2.0 * a * b * part])
+            },
+            |x| {
+                let [a, b] = [x[0] - 1.0, x[1] - 2.0];
+                let square = a * a + b * b;
+                let factor = 2.0 / (square * square);
+                (-1.0 / square, vec![factor * a, factor * b])
+            },
+        ];
+        let starts: [&[f64]; 9] = [
+            &[1e-9, 1e-9],
+            &[1e-5, 1e-5],
+            &[-1e-5, 2e-5],
+            &[1e-9, 1.0],
+            &[1.0, 1e-9],
+            &[1e-5, -0.3],
+            &[1e-3, 1e-7],
+            &[0.2, 0.1],
+            &[3.0, -4.0],
+        ];
+        check_ends(&of_two, &starts, LeastEnd::Pole);
+    }
+
+    #[test]
+    fn what_only_tends_to_its_least_value_is_told_from_starts_beside_zero() {
+        let functions: [Function; 3] = [
+            |x| {
+                let whole = 1.0 + x[0] * x[0];
+                (1.0 / whole, vec![-2.0 * x[0] / (whole * whole)])
+            },
+            |x| {
+                let whole = 1.0 + libm::pow(x[0], 4.0);
+                (1.0 / whole, vec![-4.0 * libm::pow(x[0], 3.0) / (whole * whole)])
+            },
+            |x| (-libm::atan(x[0]), vec![-1.0 / (1.0 + x[0] * x[0])]),
+        ];
+        check_ends(&functions, &STARTS, LeastEnd::Unattained);
+        let unbounded: [Function; 3] = [
+            |x| (-x[0], vec![-1.0]),
+            |x| (-x[0] * x[0], vec![-2.0 * x[0]]),
+            |x| (-libm::log1p(x[0] * x[0]), vec![-2.0 * x[0] / (1.0 + x[0] * x[0])]),
+        ];
+        check_ends(&unbounded, &STARTS, LeastEnd::Unbounded);
     }
 }

@@ -21,6 +21,12 @@ const PARTS: usize = 4;
 /// How often the way is halved, by its powers, where there is no value at its near end: numbers end there.
 const SHORTENINGS: usize = 3;
 
+/// Rounds of steps towards a pole, at most: they come to most of them.
+const ROUNDS: usize = 400;
+
+/// More of them are taken up to so many steps: of few unknowns whose sizes differ by the thousand.
+const STEPS: usize = 12_288;
+
 /// A value below which numbers end soon.
 const END_OF_NUMBERS: f64 = -1e150;
 
@@ -92,31 +98,39 @@ where
         Ok(false)
     }
 
-    /// Goes to what is lower along each of the ways, by steps of half the length each time, as far as numbers tell
-    /// places apart.
+    /// Goes to what is lower along each of the ways, by steps of half the length each time that none is, and of twice the
+    /// length where one was: unknowns come near one before the other. It ends where numbers do not tell places apart.
     fn approach(&mut self) -> Result<(), E> {
         let mut reach = LEAST_PROBE_RELATIVE;
-        while POLE_NEAREST < reach && END_OF_NUMBERS < self.best.1 {
-            let mut is_apart = false;
+        for _ in 0..ROUNDS.max(STEPS / self.n_ways.max(1)) {
+            if reach <= POLE_NEAREST || self.best.1 <= END_OF_NUMBERS {
+                break;
+            }
+            let (mut is_apart, mut is_lower) = (false, false);
             for way in 0..self.n_ways {
-                if reach < (self.spacing)(&self.best.0, way) {
-                    continue;
-                }
-                is_apart = true;
-                for side in [-reach, reach] {
-                    let there = (self.go)(&self.best.0, way, side)?;
-                    if let Some(there) = there.filter(|(_, value)| *value < self.best.1) {
-                        self.best = there;
-                        break;
-                    }
+                if (self.spacing)(&self.best.0, way) <= reach {
+                    is_apart = true;
+                    is_lower |= self.step(way, reach)?;
                 }
             }
             if !is_apart {
                 break;
             }
-            reach *= 0.5;
+            reach = if is_lower { LEAST_PROBE_RELATIVE.min(2.0 * reach) } else { 0.5 * reach };
         }
         Ok(())
+    }
+
+    /// Goes one step along a way to what is lower, if that is on either side.
+    fn step(&mut self, way: usize, reach: f64) -> Result<bool, E> {
+        for side in [-reach, reach] {
+            let there = (self.go)(&self.best.0, way, side)?;
+            if let Some(there) = there.filter(|(_, value)| *value < self.best.1) {
+                self.best = there;
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Whether the function falls towards the best place from one side of a way by no less the nearer it is asked. It does

@@ -74,7 +74,11 @@ impl Machine<'_> {
             Call { span, positional: Vec::with_capacity(call.args.len()), named: Vec::new() };
         for arg in &call.args {
             let Some(expr) = &arg.value else { continue };
-            let value = Spanned::new(self.eval(expr)?, arg.span);
+            let value = match arg.taken {
+                Some(slot) => self.take_local(slot),
+                None => self.eval(expr)?,
+            };
+            let value = Spanned::new(value, arg.span);
             match &arg.label {
                 None => args.positional.push(value),
                 Some((label, place)) => {

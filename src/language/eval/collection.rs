@@ -107,12 +107,11 @@ impl Machine<'_> {
         more: &[Element],
         span: Span,
     ) -> Result<Value> {
-        let slot = self.base + slot;
-        let n_items = self.iterate(&self.stack[slot], place)?.len();
+        let n_items = self.iterate(&self.stack[self.base + slot], place)?.len();
         self.check_length(n_items, span)?;
         self.check_memory(span)?;
         let more = self.elements(more, n_items, span)?;
-        let mut value = std::mem::replace(&mut self.stack[slot], Value::None);
+        let mut value = self.take_local(slot);
         let more = match &mut value {
             Value::List(list) => match list.append(more) {
                 Ok(()) => return Ok(value),

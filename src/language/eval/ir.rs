@@ -119,6 +119,9 @@ pub(crate) struct CallExpr {
 pub(crate) struct Arg {
     pub(crate) label: Option<(Arc<str>, Span)>,
     pub(crate) value: Option<Expr>,
+    /// The value of the frame that it is, where nothing but the arguments before it names that: the call gets it, and the
+    /// frame has it no more.
+    pub(crate) taken: Option<usize>,
     pub(crate) span: Span,
 }
 

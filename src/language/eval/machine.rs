@@ -206,6 +206,11 @@ impl<'a> Machine<'a> {
         self.stack[self.base + slot].clone()
     }
 
+    /// A value of the running frame, which has it no more.
+    pub(super) fn take_local(&mut self, slot: usize) -> Value {
+        std::mem::replace(&mut self.stack[self.base + slot], Value::None)
+    }
+
     /// How many expressions lie around the running one.
     pub(super) fn depth(&self) -> usize {
         self.depth

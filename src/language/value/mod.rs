@@ -34,6 +34,7 @@ mod numbers;
 mod on_numbers;
 mod on_vectors;
 mod op;
+mod op_macro;
 mod packed;
 mod parameter_range;
 mod range;
@@ -91,10 +92,10 @@ pub use misplaced::turned_around;
 pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortest};
 pub use on_numbers::OnNumbers;
 pub use on_vectors::OnVectors;
-pub(crate) use op::op;
 pub use op::{
     Bounded, Caller, Comparison, Ctx, EnclosedFunction, Family, Op, OpParameter, Relation,
 };
+pub(crate) use op_macro::op;
 pub use parameter_range::ParameterRange;
 pub use range::{JetRange, Range};
 pub use read_json::{ENDED, read_json};

@@ -260,6 +260,7 @@ impl<'s> Lowerer<'_, 's> {
                 label: None,
                 span: self.at(piped.span),
                 value: Some(self.expr(piped)),
+                taken: None,
             });
         }
         lowered.extend(self.args(args));
@@ -285,7 +286,7 @@ impl<'s> Lowerer<'_, 's> {
                     ast::ExprKind::Placeholder => None,
                     _ => Some(self.expr(&arg.value)),
                 };
-                Arg { label, value, span: self.at(arg.value.span) }
+                Arg { label, value, taken: None, span: self.at(arg.value.span) }
             })
             .collect()
     }

@@ -1,50 +1,97 @@
 //! Lists that grow out of one that nobody asks for afterwards.
 
-use super::super::ir::{CallExpr, Element, Expr, ExprKind};
+use super::super::ir::{Block, CallExpr, Element, Expr, ExprKind};
 
 /// Expressions that are looked at behind an argument, and names that are found there: more than anybody writes, and
 /// few enough that no call takes long.
 const MOST_LOOKED_AT: usize = 64;
 
+/// An expression that is evaluated last of those of its frame, but for some.
+struct LastExpr<'e> {
+    expr: &'e mut Expr,
+    /// The values of the frame that those behind it name.
+    named: Vec<usize>,
+    /// The values of the frame that are lists made in it.
+    made: Vec<usize>,
+}
+
 /// The body of a function, in which a list that begins with the elements of a value of its frame, `[...before, x]`,
-/// may take the memory of that: where it is the last value, or an argument of the call that is, behind which nothing
-/// of the frame names that value.
+/// may take the memory of that: where it is the last value, a definition of the block whose value is the last, or an
+/// argument of the call that is, behind which nothing of the frame names that value. What is so defined and given to that
+/// call, and named no more, is handed over.
 pub(super) fn growing(mut body: Expr) -> Expr {
-    // Each with the values of the frame that are named behind it.
-    let mut todo = vec![(&mut body, Vec::new())];
-    while let Some((last, named)) = todo.pop() {
-        match &mut last.kind {
+    let mut todo = vec![LastExpr { expr: &mut body, named: Vec::new(), made: Vec::new() }];
+    while let Some(LastExpr { expr, named, mut made }) = todo.pop() {
+        match &mut expr.kind {
             ExprKind::If(parts) => {
                 let [_, yes, no] = &mut **parts;
-                todo.extend([(yes, named.clone()), (no, named)]);
+                todo.push(LastExpr { expr: yes, named: named.clone(), made: made.clone() });
+                todo.push(LastExpr { expr: no, named, made });
             }
-            ExprKind::Block(block) => todo.push((&mut block.value, named)),
-            ExprKind::List(elements) => {
-                if let Some(first) = elements.first_mut()
-                    && let Element::Spread(Expr { kind: ExprKind::Local(slot), span }) = first
-                    && !named.contains(slot)
-                {
-                    *first = Element::Grown { slot: *slot, span: *span };
-                }
+            ExprKind::Block(block) => {
+                grow_definitions(block, &named, &mut made);
+                todo.push(LastExpr { expr: &mut block.value, named, made });
             }
-            ExprKind::Call(call) => todo.extend(arguments(call, named)),
+            ExprKind::List(elements) => grow(elements, &named),
+            ExprKind::Call(call) => todo.extend(arguments(call, named, &made)),
             _ => {}
         }
     }
     body
 }
 
+/// Lets a list grow out of the value that it begins with, unless that is named behind it.
+fn grow(elements: &mut [Element], named: &[usize]) {
+    if let Some(first) = elements.first_mut()
+        && let Element::Spread(Expr { kind: ExprKind::Local(slot), span }) = first
+        && !named.contains(slot)
+    {
+        *first = Element::Grown { slot: *slot, span: *span };
+    }
+}
+
+/// Lets the lists that a block defines grow, from the last definition on, as far as it is plain what is named behind them.
+/// `named` is what is named behind the block, and those lists are added to `made`.
+fn grow_definitions(block: &mut Block, named: &[usize], made: &mut Vec<usize>) {
+    let mut named = named.to_vec();
+    let mut is_plain = add_named(&block.value, &mut named);
+    for (slot, expr) in block.definitions.iter_mut().rev() {
+        if !is_plain {
+            break;
+        }
+        let list = match &mut expr.kind {
+            ExprKind::Promise(inner, ..) => &mut inner.kind,
+            kind => kind,
+        };
+        if let ExprKind::List(elements) = list {
+            grow(elements, &named);
+            made.push(*slot);
+        }
+        is_plain = add_named(expr, &mut named);
+    }
+}
+
 /// The arguments of a call from the last one on, as far as it is plain what those behind them name; with these names.
-fn arguments(call: &mut CallExpr, mut named: Vec<usize>) -> Vec<(&mut Expr, Vec<usize>)> {
+fn arguments<'e>(
+    call: &'e mut CallExpr,
+    mut named: Vec<usize>,
+    made: &[usize],
+) -> Vec<LastExpr<'e>> {
     let mut found = Vec::new();
     // What is left open is called later.
     if call.is_partial {
         return found;
     }
-    for expr in call.args.iter_mut().rev().filter_map(|arg| arg.value.as_mut()) {
+    for arg in call.args.iter_mut().rev() {
+        let Some(expr) = arg.value.as_mut() else { continue };
         let before = named.clone();
         let is_plain = add_named(expr, &mut named);
-        found.push((expr, before));
+        match expr.kind {
+            ExprKind::Local(slot) if made.contains(&slot) && !before.contains(&slot) => {
+                arg.taken = Some(slot);
+            }
+            _ => found.push(LastExpr { expr, named: before, made: made.to_vec() }),
+        }
         if !is_plain {
             break;
         }
@@ -70,7 +117,7 @@ fn add_named(expr: &Expr, named: &mut Vec<usize>) -> bool {
             ExprKind::Unary(_, operand) => todo.push(operand),
             ExprKind::Binary(_, sides) => todo.extend(&**sides),
             ExprKind::Index(parts) => todo.extend(&**parts),
-            ExprKind::Field(subject, ..) => todo.push(subject),
+            ExprKind::Field(subject, ..) | ExprKind::Promise(subject, ..) => todo.push(subject),
             ExprKind::If(parts) => todo.extend(&**parts),
             ExprKind::Call(call) => {
                 todo.push(&call.callee);

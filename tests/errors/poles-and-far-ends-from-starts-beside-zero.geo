@@ -1,0 +1,7 @@
+print minimize(u => -u.a/(u.b^2 + u.a^2), start = {a: 1e-5, b: 1e-5})
+print minimize(u => -u.a/(u.b^2 + u.a^2), start = {a: 3, b: -4})
+print minimize(u => ln(abs(u.a - 1)), start = {a: 1e-9})
+print minimize(u => 1/(1 + u.a^2), start = {a: 1e-9})
+print minimize(u => 1/(1 + u.a^4), start = {a: 1e-7})
+print minimize(u => -atan(u.a)/1rad, start = {a: 1e-9})
+print minimize(u => -ln(1 + u.a^2), start = {a: 1e-9})
