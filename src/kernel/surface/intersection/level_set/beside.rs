@@ -130,14 +130,14 @@ impl EdgeOnOther<'_> {
         };
         (0..looks.len()).find_map(|i| {
             let around = i.saturating_sub(1)..(i + 2).min(looks.len());
-            if distances[around.clone()].iter().any(|&beside| beside < distances[i]) {
-                return None;
-            }
-            reaching(looks[i], distances[i]).or_else(|| {
-                let (nearest, least) =
-                    golden_section(away, [looks[around.start], looks[around.end - 1]]);
+            let is_least = distances[around.clone()].iter().all(|&beside| distances[i] <= beside);
+            let between = || {
+                let ends = [looks[around.start], looks[around.end - 1]];
+                let (nearest, least) = golden_section(away, ends);
                 reaching(nearest, least)
-            })
+            };
+            let found = reaching(looks[i], distances[i]);
+            if is_least { found.or_else(between) } else { found }
         })
     }
 }
