@@ -36,6 +36,14 @@ pub(crate) fn place(point: DVec3) -> String {
     format!("({x}, {y}, {z})")
 }
 
+/// A line for a message, by its ends.
+pub(super) fn line_between([start, end]: [DVec3; 2]) -> String {
+    match [place(start), place(end)] {
+        [start, end] if start == end => format!("a closed line through {start}"),
+        [start, end] => format!("a line from {start} to {end}"),
+    }
+}
+
 /// A number in full, with an exponent where scripts print one.
 pub(super) fn plain(x: f64) -> String {
     let is_plain = x == 0.0 || (0.000_01..1e16).contains(&x.abs());

@@ -28,3 +28,9 @@ check len(intersect(sheet(2e-6, 2e-6), plate)) == 0
 // The same of a function.
 let function = parametric((u, v) => (u * 1m, v * 1m, 5e-7m + 0.1m * u), 0..1, 0..1)
 check len(intersect(function, plate)) == 0
+
+// Its edge dips twice towards the plate: they touch along each of the dips.
+fn t(v) = (v - 0.25) / 0.5
+fn dips(v) = 2e-5 * t(v)^2 * (1 - t(v))^2 + 2e-7
+let wave = parametric((u, v) => (u * 1m, v * 1m, dips(v) * 1m + 0.1m * u), 0..1, 0..1)
+check len(intersect(wave, plate)) == 0

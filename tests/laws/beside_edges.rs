@@ -84,35 +84,31 @@ fn length(found: &LevelSet) -> f64 {
     found.curves.iter().map(|curve| curve.length(curve.domain())).sum()
 }
 
-#[test]
-fn a_curve_along_an_edge_is_told_however_near() {
+/// Sheets with edges at such heights cross the plate in one curve as long as heights and slope tell.
+#[track_caller]
+fn check(heights: impl Fn([f64; 2]) -> [f64; 2], expected: impl Fn([f64; 2], f64) -> f64) {
     for n in 0..N_CASES * orientations() {
-        let (slope, [h0, h1]) = slope_and_heights(n);
-        let place = placement(n);
-        // The ends of the line are in the sheet.
-        let expected = libm::hypot(1.0, (h1 - h0) / slope);
-        for surface in sheets(slope, [-h0, -h1], place) {
-            let found = surface.intersections(&plate(n, place), TOLERANCE).unwrap();
-            assert_eq!(found.curves.len(), 1, "{n}");
-            assert!((length(&found) - expected).abs() < 1e-5, "{n}: {}", length(&found));
-            assert!(found.touches.is_empty() && found.contacts.is_empty(), "{n}: {found:?}");
-        }
-    }
-}
-
-#[test]
-fn a_curve_that_cuts_off_a_corner_is_told_however_near() {
-    for n in 0..N_CASES * orientations() {
-        let (slope, [h0, h1]) = slope_and_heights(n);
-        let place = placement(n);
-        let expected = libm::hypot(h0 / (h0 + h1), h0 / slope);
-        for surface in sheets(slope, [-h0, h1], place) {
+        let (slope, sizes) = slope_and_heights(n);
+        let (place, heights) = (placement(n), heights(sizes));
+        let expected = expected(heights, slope);
+        for surface in sheets(slope, heights, place) {
             let found = surface.intersections(&plate(n, place), TOLERANCE).unwrap();
             assert_eq!(found.curves.len(), 1, "{n}");
             assert!((length(&found) - expected).abs() < 1e-5, "{n}: {} {expected}", length(&found));
             assert!(found.touches.is_empty() && found.contacts.is_empty(), "{n}: {found:?}");
         }
     }
+}
+
+/// The ends of the line are in the sheet.
+#[test]
+fn a_curve_along_an_edge_is_told_however_near() {
+    check(|[h0, h1]| [-h0, -h1], |[h0, h1], slope| libm::hypot(1.0, (h1 - h0) / slope));
+}
+
+#[test]
+fn a_curve_that_cuts_off_a_corner_is_told_however_near() {
+    check(|[h0, h1]| [-h0, h1], |[h0, h1], slope| libm::hypot(h0 / (h0 - h1), h0 / slope));
 }
 
 /// A place of such a curve found just beyond the edge is far from the curve's end.

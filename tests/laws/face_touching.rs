@@ -188,3 +188,47 @@ fn a_curve_that_ends_inside_of_a_closed_surface_divides_nothing_although_it_goes
     let torus = whole(NurbsSurface::torus(Frame::XY, 3.0, 1.0).unwrap());
     assert_eq!(torus.split(&[Cutter::Curve(ring)], TOLERANCE).unwrap().len(), 1);
 }
+
+/// A roller and a ball that lie on a plate, wherever that is, and a plane under them.
+#[test]
+fn cutters_that_only_touch_a_face_tell_where() {
+    let [x, y] = [DVec3::X * 6.0, DVec3::Y * 6.0];
+    let plate = NurbsSurface::bilinear(DVec3::ZERO, y, x, x + y).unwrap();
+    for n in 0..orientations() {
+        let [a, b, c, ..] = fractions(n);
+        let (radius, length) = (0.2 + 2.0 * a, 1.0 + 2.0 * b);
+        let at = DVec3::new(1.0 + b, 1.0 + 4.0 * c, 0.0);
+        let roller = tube(at + DVec3::Z * radius, DVec3::X, radius, length);
+        let ball = NurbsSurface::sphere(Frame::XY.at(at + DVec3::Z * radius), radius).unwrap();
+        let place = DAffine3::from_translation(DVec3::new(0.3, -1.7, 0.9)) * turn(n);
+        let [plate, roller, ball] = [&plate, &roller, &ball].map(|s| s.transformed(&place));
+        let normal = place.matrix3 * DVec3::Z;
+        let plane = Cutter::Plane(Frame::from_normal(place.translation, normal, None).unwrap());
+        let [plate, roller, ball] = [plate, roller, ball].map(Arc::new);
+        let face = |surface: &Arc<NurbsSurface>| whole((**surface).clone());
+        let surface = |surface: &Arc<NurbsSurface>| Cutter::Surface(Arc::clone(surface));
+        match face(&plate).split(&[surface(&roller)], TOLERANCE) {
+            Err(GeomError::Face(FaceError::TouchesAlong { ends, length: told, .. })) => {
+                let wanted = [at, at + DVec3::X * length].map(|end| place.transform_point3(end));
+                let [near, far] = wanted.map(|end| ends.map(|own| own.distance(end)));
+                let off = near[0].min(near[1]).max(far[0].min(far[1]));
+                assert!(off < 1e-6 && (told - length).abs() < 1e-6, "{n}: {ends:?}, {told}");
+            }
+            other => panic!("{n}: {other:?}"),
+        }
+        for (touched, cutter) in [(&plate, surface(&ball)), (&ball, plane.clone())] {
+            match face(touched).split(&[cutter], TOLERANCE) {
+                Err(GeomError::Face(FaceError::TouchesAt { point, n_points: 1, .. })) => {
+                    assert!(point.distance(place.transform_point3(at)) < 1e-4, "{n}: {point}");
+                }
+                other => panic!("{n}: {other:?}"),
+            }
+        }
+        for touched in [&roller, &ball] {
+            let Cutter::Plane(plane) = plane else { unreachable!("it is one") };
+            let face = face(touched);
+            let kept = [true, false].map(|side| face.beside_plane(plane, side, TOLERANCE).unwrap());
+            assert!(kept[1].is_empty() && kept[0] == [face], "{n}: {kept:?}");
+        }
+    }
+}

@@ -7,6 +7,7 @@
 mod analytic;
 mod basis;
 mod beside_edges;
+mod beside_waves;
 mod bodies;
 mod breakers;
 mod certificate;

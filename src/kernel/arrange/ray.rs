@@ -1,14 +1,18 @@
 //! How often rings go around what lies on either side of an edge.
 //!
 //! A ray leaves the edge along an axis. Pieces of edges whose boxes it misses are left out, of those all
-//! ahead of its start only the sides of their ends count, the others are halved: no crossing is solved for.
+//! ahead of its start only the sides of their ends count, the others are halved: no crossing is solved for. Rings whose
+//! box the start is outside of do not count: where few others are, only their pieces are asked.
 //! Where a piece comes so near to the start that its side cannot be told, another start is taken.
+
+use std::{borrow::Cow, collections::BTreeMap};
 
 use glam::DVec3;
 
 use super::{Arrangement, PlaneEdge};
 use crate::{
     Bounds, NurbsCurve,
+    box_tree::BoxTree,
     ceiling::RAY_STRIPS,
     curve::part::{CurvePart, parts},
     homogeneous,
@@ -61,13 +65,22 @@ struct Strips {
     pieces: Vec<Vec<usize>>,
 }
 
+/// The pieces of the rings of a group, in their order.
+struct GroupPieces {
+    group: usize,
+    pieces: Vec<usize>,
+}
+
 /// The pieces of all edges, and where each group's are.
 pub(crate) struct RaySearch<'a> {
     vertices: &'a [DVec3],
     edges: &'a [PlaneEdge],
     pieces: Vec<EdgePiece>,
     strips: [Strips; 2],
-    groups: Vec<(usize, Bounds)>,
+    /// By their numbers.
+    groups: Vec<GroupPieces>,
+    /// Around each of them, in the plane.
+    boxes: BoxTree,
 }
 
 impl<'a> RaySearch<'a> {
@@ -84,18 +97,24 @@ impl<'a> RaySearch<'a> {
                 bounds,
             }));
         }
-        let mut groups: Vec<(usize, Bounds)> = Vec::new();
-        let mut by_group = std::collections::BTreeMap::new();
-        for piece in &pieces {
+        let mut by_group: BTreeMap<usize, (Bounds, Vec<usize>)> = BTreeMap::new();
+        for (number, piece) in pieces.iter().enumerate() {
             for &(group, _) in &edges[piece.edge].passes {
-                let whole = by_group.entry(group).or_insert(piece.bounds);
+                let (whole, own) = by_group.entry(group).or_insert((piece.bounds, Vec::new()));
                 *whole = whole.union(piece.bounds);
+                own.push(number);
             }
         }
-        groups.extend(by_group);
+        let in_plane = |&(Bounds { min, max }, _): &(Bounds, _)| Bounds {
+            min: min.with_z(0.0),
+            max: max.with_z(0.0),
+        };
+        let boxes = BoxTree::new(by_group.values().map(in_plane).collect());
+        let groups = by_group.into_iter();
+        let groups = groups.map(|(group, (_, pieces))| GroupPieces { group, pieces }).collect();
         // A ray along x is looked up across y.
         let strips = [Strips::of(&pieces, 1), Strips::of(&pieces, 0)];
-        Self { vertices: &arrangement.vertices, edges, pieces, strips, groups }
+        Self { vertices: &arrangement.vertices, edges, pieces, strips, groups, boxes }
     }
 
     /// The windings on the left and on the right of an edge; none where they cannot be told.
@@ -123,23 +142,11 @@ impl<'a> RaySearch<'a> {
         let own = own_crossings(&before, ends[0], ray, true)?
             + own_crossings(&behind, ends[1], ray, false)?;
         add(&edge.passes, own);
-        // Rings whose box the start is outside of do not go around it, but for those that run along the edge: of
-        // an edge along their box rounding alone tells on which side of that a place of it is.
+        let around = self.groups_around(edge, ray.start);
         let is_around = |group: usize| {
-            if edge.passes.iter().any(|&(own, _)| own == group) {
-                return true;
-            }
-            let found = self.groups.binary_search_by_key(&group, |&(group, _)| group);
-            found.is_ok_and(|place| {
-                let bounds = self.groups[place].1;
-                let p = ray.start;
-                bounds.min.x <= p.x
-                    && p.x <= bounds.max.x
-                    && bounds.min.y <= p.y
-                    && p.y <= bounds.max.y
-            })
+            around.binary_search_by_key(&group, |&place| self.groups[place].group).is_ok()
         };
-        for &piece in self.strips[axis].at(ray.start) {
+        for &piece in &*self.pieces_ahead(&around, ray) {
             let piece = &self.pieces[piece];
             if piece.edge == number || ray.misses(piece.bounds) {
                 continue;
@@ -162,6 +169,34 @@ impl<'a> RaySearch<'a> {
             }
         }
         Some(if leaves_left { [windings, other] } else { [other, windings] })
+    }
+
+    /// The places, among all groups, of those that may go around the start of a ray on an edge.
+    ///
+    /// Rings whose box it is outside of do not, but for those that run along the edge: of an edge along their box
+    /// rounding alone tells on which side of that a place of it is.
+    fn groups_around(&self, edge: &PlaneEdge, start: DVec3) -> Vec<usize> {
+        let mut around = self.boxes.beside(start.with_z(0.0), 0.0);
+        let place_of =
+            |group: usize| self.groups.binary_search_by_key(&group, |own| own.group).ok();
+        around.extend(edge.passes.iter().filter_map(|&(group, _)| place_of(group)));
+        around.sort_unstable();
+        around.dedup();
+        around
+    }
+
+    /// The pieces, of those of some groups or of all, that a ray may cross.
+    fn pieces_ahead(&self, groups: &[usize], ray: Ray) -> Cow<'_, [usize]> {
+        let in_strip = self.strips[ray.axis].at(ray.start);
+        let own = || groups.iter().flat_map(|&place| &self.groups[place].pieces);
+        if in_strip.len() <= own().count() {
+            return Cow::Borrowed(in_strip);
+        }
+        let mut pieces: Vec<usize> = own().copied().collect();
+        // Those of edges of several groups are among each.
+        pieces.sort_unstable();
+        pieces.dedup();
+        Cow::Owned(pieces)
     }
 }
 

@@ -76,7 +76,7 @@ impl Solid {
         let within = tolerance.with_distance(distance);
         let caps = plane_caps(&faces, tolerance)?;
         if let Some(point) = touching(&faces, &caps, contacts, plane, within)? {
-            return Err(match edge_along(&faces, point, plane, within)? {
+            return Err(match line_along(&faces, point, plane, within)? {
                 Some(ends) => SolidError::TouchesAlong { ends }.into(),
                 None => SolidError::TouchesPlane { point }.into(),
             });
@@ -226,11 +226,11 @@ fn touching(
     Ok(of_edges.find(is_within))
 }
 
-/// The ends of an edge of faces that lies in a plane all along and goes through a point.
+/// The ends of a line through a point that lies in a plane all along: an edge of faces, or where the plane touches one.
 ///
 /// # Errors
-/// Those of [`Face::edges`].
-fn edge_along(
+/// Those of [`Face::edges`] and [`Face::line_touched_at`].
+fn line_along(
     faces: &[Face],
     point: DVec3,
     plane: Frame,
@@ -250,6 +250,13 @@ fn edge_along(
             if goes_through && is_long && edge.points().into_iter().all(is_within) {
                 return Ok(Some([edge.start(), edge.end()]));
             }
+        }
+    }
+    for face in faces {
+        if face.surface().bounds().distance(point) <= distance
+            && let Some(line) = face.line_touched_at(plane, point, tolerance)?
+        {
+            return Ok(Some([line.start(), line.end()]));
         }
     }
     Ok(None)

@@ -3,7 +3,10 @@
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::error::{few_digits, place};
+use crate::{
+    digits::line_between,
+    error::{few_digits, place},
+};
 
 /// What keeps faces and regions from making a solid.
 ///
@@ -97,10 +100,10 @@ pub enum SolidError {
     /// A side of a plane that touches itself in the plane.
     #[error("this side of the plane would touch itself at {}, where parts of it meet in the plane alone", place(*point))]
     TouchesPlane { point: DVec3 },
-    /// A side of a plane that touches itself along an edge in the plane.
+    /// A side of a plane that touches itself along a line in the plane.
     #[error(
-        "this side of the plane would touch itself along the edge from {} to {}, where parts of it meet in the plane alone",
-        place(ends[0]), place(ends[1])
+        "this side of the plane would touch itself along {}, where parts of it meet in the plane alone",
+        line_between(*ends)
     )]
     TouchesAlong { ends: [DVec3; 2] },
     /// An edge that is not gone along by two faces from end to end.

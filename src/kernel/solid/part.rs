@@ -22,8 +22,8 @@ impl Solid {
     /// ```
     ///
     /// # Errors
-    /// Those of [`Face::split`] but for a solid that does not meet the face; [`SolidError::UnclearSide`] of a part that
-    /// is on neither side, or on both.
+    /// Those of [`Face::split`] but for a solid that does not meet the face or only touches it;
+    /// [`SolidError::UnclearSide`] of a part that is on neither side, or on both.
     pub fn parts_of(
         &self,
         face: &Face,
@@ -32,18 +32,23 @@ impl Solid {
     ) -> Result<Vec<Face>, GeomError> {
         let cutter = Cutter::Faces(self.faces().into());
         let parts = match face.split(&[cutter], tolerance) {
-            Err(GeomError::Face(FaceError::Misses { .. } | FaceError::Covered { .. })) => {
-                vec![face.clone()]
-            }
+            Err(GeomError::Face(
+                FaceError::Misses { .. }
+                | FaceError::TouchesAt { .. }
+                | FaceError::TouchesAlong { .. }
+                | FaceError::Covered { .. },
+            )) => vec![face.clone()],
             found => found?,
         };
+        let n_parts = parts.len();
         let mut kept = Vec::new();
         for part in parts {
             if self.has_within(&part, tolerance)? == is_inside {
                 kept.push(part);
             }
         }
-        Ok(kept)
+        // What only touches it divides nothing.
+        Ok(if kept.len() == n_parts { vec![face.clone()] } else { kept })
     }
 
     /// Whether a face that its border does not cross is inside, or lies on that.

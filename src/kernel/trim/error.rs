@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::{
     Interval,
-    digits::plain,
+    digits::{line_between, plain},
     error::{few_digits, place},
 };
 
@@ -52,6 +52,18 @@ pub enum FaceError {
     /// A cutter that does not reach the face.
     #[error("cutter [{index}] does not meet the face")]
     Misses { index: usize },
+    /// A cutter that comes to the face in points alone.
+    #[error(
+        "cutter [{index}] only touches the face, at {}{}, so that it divides nothing",
+        place(*point), if *n_points == 1 { String::new() } else { format!(" and {} more", n_points - 1) }
+    )]
+    TouchesAt { index: usize, point: DVec3, n_points: usize },
+    /// A cutter that comes to the face along a line without crossing it.
+    #[error(
+        "cutter [{index}] only touches the face, along {}, {} long, so that it divides nothing",
+        line_between(*ends), few_digits(*length)
+    )]
+    TouchesAlong { index: usize, ends: [DVec3; 2], length: f64 },
     /// A cutter that lies on all of the face.
     #[error("cutter [{index}] lies on all of the face, so that it divides nothing")]
     Covered { index: usize },

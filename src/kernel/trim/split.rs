@@ -8,6 +8,7 @@ use super::{
     Face, FaceError,
     division::Division,
     pull::{ArcParameters, MOST_BESIDE, arcs_on_surface},
+    touch::Undivided,
 };
 use crate::{Frame, GeomError, NurbsCurve, NurbsSurface, RegionSide, Tolerance};
 
@@ -75,10 +76,12 @@ impl Face {
     /// All parts into which cutters divide the face, in an order that depends on the face alone.
     ///
     /// A cutter on the plane, cylinder, cone, sphere or torus of the face, or on its own surface, divides what it lies
-    /// on from what it does not.
+    /// on from what it does not. A line along which one only touches the face divides it as any other where it goes from
+    /// border to border or around.
     ///
     /// # Errors
-    /// [`FaceError::Misses`] of a cutter that does not meet the face, [`FaceError::EndsInside`] of one
+    /// [`FaceError::Misses`] of a cutter that does not meet the face, [`FaceError::TouchesAt`] and
+    /// [`FaceError::TouchesAlong`] of one that only touches it and [`FaceError::EndsInside`] of another
     /// that divides nothing, [`FaceError::Covered`] of one that lies on all of it, [`FaceError::RunsAlong`] of a plane
     /// in which it lies, [`FaceError::RunsTogether`] of a surface that shares an area with its own and is another,
     /// [`FaceError::OffSurface`] of a curve beside it; those of `Surface::intersections`.
@@ -142,6 +145,7 @@ impl Face {
     }
 
     /// The parts on the side of a plane to which its normal points, or on the other one; none where nothing is there.
+    /// A plane that only touches it leaves it as it is.
     ///
     /// # Errors
     /// Those of [`Self::split`] but for a plane that misses the face; [`FaceError::RunsAlong`] of one in which it lies.
@@ -157,8 +161,13 @@ impl Face {
         {
             return Err(part.along_plane(plane, 0, tolerance).into());
         }
-        let parts = parts.into_iter();
-        Ok(parts.filter(|&(_, height)| (0.0 < height) == is_above).map(|(part, _)| part).collect())
+        let (above, below): (Vec<_>, Vec<_>) =
+            parts.into_iter().partition(|&(_, height)| 0.0 < height);
+        let (kept, others) = if is_above { (above, below) } else { (below, above) };
+        Ok(match others.is_empty() {
+            true => vec![self.clone()],
+            false => kept.into_iter().map(|(part, _)| part).collect(),
+        })
     }
 
     /// The parts into which a plane divides it, or all of it.
@@ -173,18 +182,12 @@ impl Face {
         let (arcs, contacts) = self.plane_arcs(plane, 0, tolerance)?;
         let divided = match arcs.is_empty() {
             true => None,
-            false => match self.divided_along(&arcs, &vec![0; arcs.len()], 1, tolerance) {
-                Err(GeomError::Face(FaceError::Misses { .. })) => None,
-                // What touches the border there divides nothing.
-                Err(GeomError::Face(FaceError::EndsInside { point }))
-                    if self.is_on_border(
-                        self.plane.surface.closest(point).parameters,
-                        tolerance,
-                    )? =>
-                {
+            false => match self.divided_along(&arcs, &vec![0; arcs.len()], 1, tolerance)? {
+                Ok(division) => Some(division),
+                Err(undivided) => {
+                    self.check_undivided(plane, undivided, tolerance)?;
                     None
                 }
-                found => Some(found?),
             },
         };
         let parts = match divided {
@@ -197,6 +200,23 @@ impl Face {
         };
         let parts = parts.into_iter().map(with_height).collect::<Result<_, GeomError>>()?;
         Ok(PartsBesidePlane { parts, contacts })
+    }
+
+    /// Fails where a plane that divides nothing ends inside, unless it touches the border or the face there.
+    fn check_undivided(
+        &self,
+        plane: Frame,
+        undivided: Undivided,
+        tolerance: Tolerance,
+    ) -> Result<(), GeomError> {
+        let Some(&point) = undivided.ends.first() else { return Ok(()) };
+        if self.is_on_border(self.plane.surface.closest(point).parameters, tolerance)? {
+            return Ok(());
+        }
+        match self.told_undivided(&Cutter::Plane(plane), undivided, tolerance)? {
+            FaceError::TouchesAlong { .. } => Ok(()),
+            other => Err(other.into()),
+        }
     }
 
     /// Some places of it, of its border among them.
@@ -249,16 +269,18 @@ impl Face {
         for (index, cutter) in cutters.iter().enumerate() {
             let found = self.arcs_of(cutter, index, tolerance)?;
             if found.is_empty() {
-                return Err(self.undivided(cutter, index, tolerance).into());
+                let undivided = Undivided { index, ends: Vec::new() };
+                return Err(self.told_undivided(cutter, undivided, tolerance)?.into());
             }
             cutter_of.resize(cutter_of.len() + found.len(), index);
             arcs.extend(found);
         }
-        let division = match self.divided_along(&arcs, &cutter_of, cutters.len(), tolerance) {
-            Err(GeomError::Face(FaceError::Misses { index })) => {
-                return Err(self.undivided(&cutters[index], index, tolerance).into());
+        let division = match self.divided_along(&arcs, &cutter_of, cutters.len(), tolerance)? {
+            Ok(division) => division,
+            Err(undivided) => {
+                let cutter = &cutters[undivided.index];
+                return Err(self.told_undivided(cutter, undivided, tolerance)?.into());
             }
-            found => found?,
         };
         if division.n_parts() == 1 {
             // What lies on all of it may run along its border.
@@ -270,22 +292,15 @@ impl Face {
         Ok(division)
     }
 
-    /// Why a cutter divides nothing.
-    fn undivided(&self, cutter: &Cutter, index: usize, tolerance: Tolerance) -> FaceError {
-        match self.is_covered_by(cutter, tolerance) {
-            true => FaceError::Covered { index },
-            false => FaceError::Misses { index },
-        }
-    }
-
-    /// What arcs of several cutters, each with the number of its own, make of it.
+    /// What arcs of several cutters, each with the number of its own, make of it; the first cutter that divides nothing
+    /// where there is one.
     fn divided_along(
         &self,
         arcs: &[NurbsCurve],
         cutter_of: &[usize],
         n_cutters: usize,
         tolerance: Tolerance,
-    ) -> Result<Division, GeomError> {
+    ) -> Result<Result<Division, Undivided>, GeomError> {
         let distance = self.distance(tolerance);
         let division = Division::of(self, arcs, distance, 1).map_err(self.in_space())?;
         for index in 0..n_cutters {
@@ -298,14 +313,13 @@ impl Face {
                 let parameters = self.plane.parameters(place);
                 self.side_of_parameters(parameters, distance) != RegionSide::Outside
             };
-            let mut ends = division.loose.iter().filter(|&&(arc, _)| is_its(arc));
-            return Err(match ends.find(|&&(_, end)| is_within(end)) {
-                Some(&(_, end)) => FaceError::EndsInside { point: self.plane.point(end) }.into(),
-                // What runs around a ring opens it, but leaves it one part.
-                None if division.has_along(is_its) => continue,
-                None => FaceError::Misses { index }.into(),
-            });
+            let ends = division.loose.iter().filter(|&&(arc, end)| is_its(arc) && is_within(end));
+            let ends: Vec<DVec3> = ends.map(|&(_, end)| self.plane.point(end)).collect();
+            // What runs around a ring opens it, but leaves it one part.
+            if !ends.is_empty() || !division.has_along(is_its) {
+                return Ok(Err(Undivided { index, ends }));
+            }
         }
-        Ok(division)
+        Ok(Ok(division))
     }
 }

@@ -14,8 +14,9 @@ op! {
     ///
     /// `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
     /// is where its normal points; or `"inside"` or `"outside"` where it is a solid. Where more than one part is on
-    /// that side, all of them are the answer, as a list; `none` where nothing is. A plane or solid that misses leaves all
-    /// of the face, or nothing. What lies on the border of the solid is inside: of a solid's own faces nothing is outside.
+    /// that side, all of them are the answer, as a list; `none` where nothing is. A plane or solid that misses or only
+    /// touches leaves all of the face, or nothing. What lies on the border of the solid is inside: of a solid's own faces
+    /// nothing is outside.
     trim in Face -> TrimmedParts {
         /// The surface or face.
         s: Spanned<SurfaceOrFace>,

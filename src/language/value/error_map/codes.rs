@@ -71,6 +71,8 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::Apart { .. }
         | FaceError::OffSurface { .. }
         | FaceError::Misses { .. }
+        | FaceError::TouchesAt { .. }
+        | FaceError::TouchesAlong { .. }
         | FaceError::Covered { .. }
         | FaceError::RunsAlong { .. }
         | FaceError::NoPartAt { .. }

@@ -26,6 +26,9 @@ pub(super) fn of_face(error: &FaceError) -> String {
             "an edge is shared where it runs within the tolerance of one of the other: `tolerance` allows more"
         }
         FaceError::Misses { .. } => "leave it out, or move it to where the face is",
+        FaceError::TouchesAt { .. } | FaceError::TouchesAlong { .. } => {
+            "leave it out, or move it until it goes through the face; curves from border to border divide it as well"
+        }
         FaceError::Covered { .. } => {
             "leave it out; the border of a cutter that lies on a face divides it where it goes over it"
         }

@@ -14,7 +14,7 @@ use glam::DVec3;
 
 use super::{
     CommonScale, FITTING, LevelSet, PictureError,
-    beside::{EdgeOnOther, with_edges_beside},
+    beside::{edge_that_reaches, with_edges_beside},
     branch_sample::BranchSample,
     chain, cubic,
     elsewhere::with_seams_elsewhere,
@@ -61,10 +61,9 @@ impl Surface {
         // An edge on the other surface may be just beside it where a spline stands in for that.
         if [self, other].iter().any(|surface| matches!(surface, Self::Parametric(_))) {
             let size = a.bounds().diagonal().min(b.bounds().diagonal());
-            let edges = EdgeOnOther::all(&found, [&a, &b], tolerance.distance_for(size));
-            let allowed = CONTACT_SHARE * tolerance.distance;
-            if let Some(lost) = edges.into_iter().find(|edge| edge.least_distance <= allowed) {
-                return Err(PictureError::EdgeLost { point: lost.point }.into());
+            let distances = [tolerance.distance_for(size), CONTACT_SHARE * tolerance.distance];
+            if let Some(point) = edge_that_reaches(&found, [&a, &b], distances) {
+                return Err(PictureError::EdgeLost { point }.into());
             }
         }
         Ok(found)

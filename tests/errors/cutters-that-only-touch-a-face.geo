@@ -1,0 +1,17 @@
+geo 1
+let ball = sphere((0, 0), 1)
+let plate = plane_patch((-3, -3), (6, 0), (0, 6))
+let roller = cylinder((-1, 0, 1), 1, 2, axis = (1, 0, 0))
+let sheet = extrude(bezier((-1, 0, 1), (0, 0, -1), (1, 0, 1)), (0, 2, 0))
+let plank = extrude(region(polyline([(-2, -2), (2, -2), (2, 2), (-2, 2)], closed = true), holes = [circle((0, 0), 1)]), (0, 0, 3))
+
+print split(ball, by = plane((0, 0, 1), (0, 0, 1)))
+print trim(ball, by = plane((0, 0, 1), (0, 0, 1)), keep = (1, 0, 0))
+print split(plate, by = sphere((0, 0, 1), 1))
+print split(plate, by = [plane((1, 0, 0), (1, 0, 0)), sphere((0, 0, 1), 1)])
+print split(plate, by = roller)
+print split(plate, by = solid(roller, cap = true))
+print split(plate, by = cone((0.5, 0, 0.5), sqrt(0.5), sqrt(0.5) + 1, 1, axis = (1, 0, 1)))
+print split(plate, by = sheet)
+print split(plate, by = trim(torus((0, 0, 1), 2, 1), by = plane((0, 0), (0, 1, 0)), keep = "above"))
+print cut(plank, plane((1, 0, 0), (1, 0, 0)))
