@@ -260,7 +260,22 @@ impl<'a> Differences<'a> {
     /// The same of variables that move one coordinate each, from steps of several at once; none where they do not go
     /// together.
     fn lines_together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
-        let packed = PackedVariables::new(self.args, &all_moved(self.args, &[])?, n_variables)?;
+        let held = all_moved(self.args, &[])?;
+        let by_line = PackedVariables::have_lines(&held, &self.base);
+        let by_line = by_line.then(|| PackedVariables::new(self.args, &held, n_variables, true));
+        let found = by_line.flatten().and_then(|packed| self.lines_of_packs(&packed, n_variables));
+        found.or_else(|| {
+            let packed = PackedVariables::new(self.args, &held, n_variables, false)?;
+            self.lines_of_packs(&packed, n_variables)
+        })
+    }
+
+    /// The growths of variables by steps of packs of them; none where they do not go together.
+    fn lines_of_packs(
+        &mut self,
+        packed: &PackedVariables,
+        n_variables: usize,
+    ) -> Option<Vec<Growth>> {
         let mut together = Differences {
             args: &packed.args,
             base: self.base.clone(),
