@@ -20,6 +20,10 @@ use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
 /// operation takes.
 const HALVINGS: [i32; 4] = [2, 3, 6, 12];
 
+/// How many times fewer steps variables of other lines together have to take before they are tried, since operations
+/// that mix lines lose the time of these.
+const FEWER_BY_LINE: usize = 4;
+
 /// Why an answer has no derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoDerivative {
@@ -261,13 +265,15 @@ impl<'a> Differences<'a> {
     /// together.
     fn lines_together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
         let held = all_moved(self.args, &[])?;
-        let by_line = PackedVariables::have_lines(&held, &self.base);
-        let by_line = by_line.then(|| PackedVariables::new(self.args, &held, n_variables, true));
-        let found = by_line.flatten().and_then(|packed| self.lines_of_packs(&packed, n_variables));
-        found.or_else(|| {
-            let packed = PackedVariables::new(self.args, &held, n_variables, false)?;
-            self.lines_of_packs(&packed, n_variables)
-        })
+        let packed = PackedVariables::new(self.args, &held, n_variables, false)?;
+        if PackedVariables::have_lines(&held, &self.base)
+            && let Some(by_line) = PackedVariables::new(self.args, &held, n_variables, true)
+            && FEWER_BY_LINE * (by_line.len() + 1) <= packed.len()
+            && let Some(lines) = self.lines_of_packs(&by_line, n_variables)
+        {
+            return Some(lines);
+        }
+        self.lines_of_packs(&packed, n_variables)
     }
 
     /// The growths of variables by steps of packs of them; none where they do not go together.
