@@ -30,6 +30,22 @@ pub(crate) fn blossom(
     corners[knots.degree()]
 }
 
+/// By how much each of the control points that act over `span` counts in [`blossom`].
+pub(crate) fn blossom_factors(knots: &KnotVector, span: usize, arguments: &[f64]) -> Vec<f64> {
+    let (all, p) = (knots.as_slice(), knots.degree());
+    let mut factors = vec![0.0; p + 1];
+    factors[p] = 1.0;
+    for (level, &t) in arguments.iter().enumerate().rev() {
+        for r in level + 1..=p {
+            let (left, right) = (all[span + r - p], all[span + r - level]);
+            let fraction = (t - left) / (right - left);
+            factors[r - 1] += factors[r] * (1.0 - fraction);
+            factors[r] *= fraction;
+        }
+    }
+    factors
+}
+
 /// One level of de Boor's corner cutting at `t`, in place: `corners[q..]` are the new ones.
 fn cut(knots: &[f64], span: usize, q: usize, t: f64, corners: &mut [DVec4]) {
     let p = corners.len() - 1;

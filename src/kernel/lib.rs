@@ -250,5 +250,5 @@ pub use trim::{
 };
 pub use varied::{
     PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion, VariedSolid, VariedSurface,
-    stay_closed,
+    VariedWall, stay_closed,
 };

@@ -23,3 +23,11 @@ check is_like(u => area(wedge(u)) / 1mm^2)
 check is_like(u => centroid(wedge(u)).x)
 check is_like(u => centroid(wedge(u)).y)
 check is_like(u => centroid(wedge(u)).z)
+// About its axis a cylinder has pi r^4 h/2, a torus pi^2 R r^2 (4 R^2 + 3 r^2)/2; what moves as what turns.
+check gradient(r => inertia(revolve(profile(r))).tensor[2][2], 2) ~= 80 * pi within 1e-8
+check gradient(x => inertia(revolve(region(circle((x, 0), 1)), axis = (0, 1, 0))).tensor[1][1], 3) ~= 55.5 * pi^2 within 1e-7
+fn turned(u) = revolve(region(polyline([(1, 0, 0), (u.r, 0, 1), (2, 0, u.h)], closed = true)), angle = -130deg, about = (0.2, 0, 0))
+fn moved(u) = extrude(region(polyline([(1, 0, 0), (u.r, 0, 1), (2, u.a / 130deg, u.h)], closed = true)), (0.3, u.r, u.h))
+fn mixed(t) = (t[0][0] + 2 * t[0][1] - 3 * t[1][2] + 4 * t[1][1] - t[0][2]) / 1000mm^5
+check is_like(u => mixed(inertia(turned(u)).tensor))
+check is_like(u => mixed(inertia(moved(u)).tensor))

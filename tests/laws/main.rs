@@ -73,5 +73,6 @@ mod tessellation;
 mod trajectory;
 mod triangles;
 mod varied;
+mod varied_walls;
 mod whole;
 mod worked;

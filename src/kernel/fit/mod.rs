@@ -3,12 +3,13 @@
 //! `parameters` says where on the curve each point is to lie; `equation` holds
 //! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
-//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `moving_surface` the same of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point, `moving_surface` of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
 mod approximate;
 mod equation;
+mod growth;
 mod interpolate;
 mod kinks;
 mod lagrange;

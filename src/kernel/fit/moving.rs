@@ -3,11 +3,14 @@
 //! The equations of the spline hold while they move: of A(t)·P = Q the slopes are those of A·Ṗ = Q̇ − Ȧ·P. What
 //! Ȧ·P is at a point, the slope of the spline there says, and its slopes by its knots.
 
+use std::borrow::Cow;
+
 use glam::{DVec3, DVec4};
 
 use super::{
     Interpolator, Parametrization,
     equation::Equation,
+    growth::spline_slopes_asked,
     interpolate::{EndRow, Ends, FactoredEquations, end_derivative},
 };
 use crate::{
@@ -21,17 +24,17 @@ const CUBIC: usize = 3;
 /// A spline through values at parameters, any of which may move.
 #[derive(Clone, Debug)]
 pub(crate) struct MovingSpline<'a> {
-    fit: &'a Interpolator,
-    parameters: &'a [f64],
-    values: &'a [DVec4],
-    tangents: [DVec4; 2],
-    has_second_knots: bool,
-    points: Vec<DVec4>,
-    by_knots: KnotSlopes,
+    pub(super) fit: Cow<'a, Interpolator>,
+    pub(super) parameters: Cow<'a, [f64]>,
+    pub(super) values: Cow<'a, [DVec4]>,
+    pub(super) tangents: [DVec4; 2],
+    pub(super) has_second_knots: bool,
+    pub(super) points: Vec<DVec4>,
+    pub(super) by_knots: KnotSlopes,
     /// The spline's slope at each parameter.
-    along: Vec<DVec4>,
+    pub(super) along: Vec<DVec4>,
     /// The functions of the knots that stand twice at each parameter: which is the first, and their values.
-    there: Vec<(usize, Vec<f64>)>,
+    pub(super) there: Vec<(usize, Vec<f64>)>,
 }
 
 /// How fast what a spline is made of moves.
@@ -69,9 +72,9 @@ impl<'a> MovingSpline<'a> {
         let there = parameters.iter().map(acting).collect();
         let has_second_knots = ends != Ends::NotAKnot || fit.knots.degree() != 3;
         Ok(Some(Self {
-            fit,
-            parameters,
-            values,
+            fit: Cow::Borrowed(fit),
+            parameters: Cow::Borrowed(parameters),
+            values: Cow::Borrowed(values),
             tangents,
             has_second_knots,
             points,
@@ -79,6 +82,16 @@ impl<'a> MovingSpline<'a> {
             along,
             there,
         }))
+    }
+
+    /// The same with what it was made of.
+    pub(super) fn into_owned(self) -> MovingSpline<'static> {
+        MovingSpline {
+            fit: Cow::Owned(self.fit.into_owned()),
+            parameters: Cow::Owned(self.parameters.into_owned()),
+            values: Cow::Owned(self.values.into_owned()),
+            ..self
+        }
     }
 
     /// Its control points.
@@ -136,7 +149,7 @@ impl<'a> MovingSpline<'a> {
         let three = |of: &[f64]| [0, 1, 2].map(|k| sign * of[idx(k)]);
         match row {
             EndRow::Values(weights) => {
-                let growths = bessel_speeds(three(self.parameters), three(speeds.parameters));
+                let growths = bessel_speeds(three(&self.parameters), three(speeds.parameters));
                 let part = |k: usize| {
                     speeds.values[idx(k)] * weights[k] + self.values[idx(k)] * growths[k]
                 };
@@ -154,7 +167,7 @@ impl<'a> MovingSpline<'a> {
                     end_derivative(&self.fit.knots, column, order),
                     Equation::derivative(&self.fit.knots, t, order),
                 ]
-                .map(|row| row.values.iter().fold(0.0_f64, |most, value| most.max(value.abs())));
+                .map(|row| row.largest());
                 derivative(self.by_knots.knots(), by_knots, t, order) * (-row / whole)
             }
         }
@@ -193,7 +206,7 @@ fn derivative(knots: &KnotVector, points: &[DVec4], t: f64, order: usize) -> DVe
 }
 
 /// How fast the weights of Bessel's condition move with three parameters.
-fn bessel_speeds([t0, t1, t2]: [f64; 3], [s0, s1, s2]: [f64; 3]) -> [f64; 3] {
+pub(super) fn bessel_speeds([t0, t1, t2]: [f64; 3], [s0, s1, s2]: [f64; 3]) -> [f64; 3] {
     let d = (t2 - t1) / (t2 - t0);
     let growth = (s2 - s1 - d * (s2 - s0)) / (t2 - t0);
     let e = 1.0 - d;
@@ -270,14 +283,11 @@ pub fn interpolate_varied(
     else {
         return Ok(None);
     };
-    let Some(own) = spline_slopes(&spline, rule, points, slopes)? else { return Ok(None) };
-    let variables = slopes.by_variable().iter().map(|(variable, _)| *variable);
-    varied_on_own_knots(
-        &spline,
-        variables.zip(own).collect(),
-        slopes.n_variables(),
-        fit.curve(points)?,
-    )
+    let Some(legs) = rule.leg_growths(points) else { return Ok(None) };
+    let fixed = on_knots_twice(&spline)?;
+    let own = fit.curve(points)?;
+    let slopes = spline_slopes_asked(spline.into_owned(), legs, slopes);
+    Ok(Some(VariedCurve::new(fixed.into(), slopes)?.known_of_moving_knots(own.into())))
 }
 
 /// The slopes of a spline through points that vary, at parameters by a rule that move with them: by each variable that moves
@@ -288,7 +298,7 @@ fn spline_slopes(
     points: &[DVec3],
     slopes: &PointSlopes,
 ) -> Result<Option<Vec<Vec<DVec4>>>, GeomError> {
-    let by_rule = |(_, own): &(usize, Vec<DVec4>)| rule.speeds(points, spline.parameters, own);
+    let by_rule = |(_, own): &(usize, Vec<DVec4>)| rule.speeds(points, &spline.parameters, own);
     let speeds: Option<Vec<Vec<f64>>> = slopes.by_variable().iter().map(by_rule).collect();
     let Some(speeds) = speeds else { return Ok(None) };
     let tangents = [DVec4::ZERO; 2];
@@ -299,6 +309,13 @@ fn spline_slopes(
     spline.slopes(&all).map(Some)
 }
 
+/// The spline over the knots that do not move.
+fn on_knots_twice(spline: &MovingSpline<'_>) -> Result<NurbsCurve, GeomError> {
+    let twice = with_knots_twice(&spline.fit.knots, vec![spline.points.clone()])?.concat();
+    let polynomial = twice.into_iter().map(|point| point.truncate().extend(1.0)).collect();
+    NurbsCurve::new(spline.by_knots.knots().clone(), polynomial)
+}
+
 /// The spline with the slopes of its control points over the knots that do not move, as what it is on its own.
 fn varied_on_own_knots(
     spline: &MovingSpline<'_>,
@@ -306,9 +323,7 @@ fn varied_on_own_knots(
     n_variables: usize,
     own: NurbsCurve,
 ) -> Result<Option<VariedCurve>, GeomError> {
-    let twice = with_knots_twice(&spline.fit.knots, vec![spline.points.clone()])?.concat();
-    let polynomial = twice.into_iter().map(|point| point.truncate().extend(1.0)).collect();
-    let fixed = NurbsCurve::new(spline.by_knots.knots().clone(), polynomial)?;
+    let fixed = on_knots_twice(spline)?;
     let slopes = PointSlopes::new(n_variables, fixed.control_points().len(), by_variable)?;
     Ok(VariedCurve::new(fixed.into(), slopes)?.of_moving_knots(own.into()))
 }

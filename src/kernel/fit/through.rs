@@ -3,6 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use super::{
+    growth::fixed_slopes_asked,
     interpolate::{EndRow, FactoredEquations, Interpolator},
     periodic::cut_to,
 };
@@ -139,6 +140,11 @@ impl Interpolator {
         curve: NurbsCurve,
         slopes: &PointSlopes,
     ) -> Result<VariedCurve, GeomError> {
+        if slopes.n_points() == self.n_values
+            && let Some(slopes) = fixed_slopes_asked(self, slopes)
+        {
+            return VariedCurve::new(curve.into(), slopes);
+        }
         let own = |(variable, own): &(usize, Vec<DVec4>)| -> Result<_, GeomError> {
             Ok((*variable, self.through(&own[..own.len().min(self.n_values)])?))
         };

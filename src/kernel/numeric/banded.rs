@@ -14,9 +14,14 @@ pub(crate) struct Equation {
 }
 
 impl Equation {
+    /// Its largest coefficient, without a sign.
+    pub(crate) fn largest(&self) -> f64 {
+        self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+    }
+
     /// The equation divided by its largest coefficient: for right-hand sides of zero.
     pub(crate) fn scaled(mut self) -> Self {
-        let largest = self.values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let largest = self.largest();
         if largest > 0.0 {
             self.values.iter_mut().for_each(|value| *value /= largest);
         }
@@ -172,6 +177,33 @@ impl BandedSystem {
     }
 }
 
+impl BandedSystem {
+    /// Replaces the right-hand sides of the transposed equations by the unknowns: what a sum of the unknowns, with the
+    /// given factors, grows by with each right-hand side.
+    pub(crate) fn solve_transposed(&self, values: &mut [f64]) {
+        let n = self.len();
+        for k in 0..n {
+            let place = self.place(k, k);
+            values[k] /= self.rows[place];
+            let value = values[k];
+            let row = &self.rows[place + 1..place + self.width - self.lower];
+            for (later, coefficient) in values[k + 1..].iter_mut().zip(row) {
+                *later -= coefficient * value;
+            }
+        }
+        for k in (0..n).rev() {
+            let below = self.rows.iter().skip(self.place(k, k));
+            let factors = below.step_by(self.width.max(2) - 1).skip(1).take(self.lower);
+            let sum: f64 =
+                factors.zip(&values[k + 1..]).map(|(factor, value)| factor * value).sum();
+            values[k] -= sum;
+            if let Some(exchanged) = &self.exchanged {
+                values.swap(k, exchanged[k]);
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use glam::DVec4;
@@ -189,6 +221,36 @@ mod tests {
         let mut values = [2.0, 4.0, 3.0].map(DVec4::splat);
         system.solve(&mut values);
         assert_eq!(values, [1.0, 2.0, 3.0].map(DVec4::splat));
+    }
+
+    #[test]
+    fn transposed_equations_tell_how_sums_grow_with_right_hand_sides() {
+        // With exchanges, and without.
+        let row = |i: usize| {
+            let values = [0.1, 2.0 + i as f64, if i % 3 == 0 { 9.0 } else { 1.0 }, 0.3];
+            let first = i.saturating_sub(2);
+            Equation { first, values: values[..4.min(8 - first)].into() }
+        };
+        let equations: Vec<Equation> = (0..8).map(row).collect();
+        let exchanging = BandedSystem::new(&equations).expect("independent equations");
+        let mut plain = BandedSystem::totally_positive(8, [2, 3]);
+        for (i, equation) in equations.iter().enumerate() {
+            plain.add(i, equation.first, &equation.values);
+        }
+        let plain = plain.factored().expect("independent equations");
+        for system in [exchanging, plain] {
+            for asked in 0..8 {
+                let mut growths = vec![0.0; 8];
+                growths[asked] = 1.0;
+                system.solve_transposed(&mut growths);
+                for (given, growth) in growths.iter().enumerate() {
+                    let mut values = vec![DVec4::ZERO; 8];
+                    values[given] = DVec4::ONE;
+                    system.solve(&mut values);
+                    assert!((values[asked].x - growth).abs() < 1e-12);
+                }
+            }
+        }
     }
 
     #[test]

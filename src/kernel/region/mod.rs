@@ -186,6 +186,20 @@ impl Region {
         self.loops.iter().map(|border| self.border(border)).collect()
     }
 
+    /// The border that a region has along a closed curve, with its parts between corners as those of
+    /// [`Self::borders`]: backwards where the region is to the right of the curve. Corners turn by more than an angle.
+    ///
+    /// # Errors
+    /// Those of [`crate::join`]; `LocalError::VanishingTangent` where the curve stands still.
+    pub fn border_along(
+        curve: &NurbsCurve,
+        is_backward: bool,
+        angle: f64,
+    ) -> Result<NurbsCurve, GeomError> {
+        let border = PlaneLoop { arcs: smooth_arcs(curve, angle)? };
+        joined(&if is_backward { border.reversed() } else { border }.arcs)
+    }
+
     fn border(&self, border: &PlaneLoop) -> Result<NurbsCurve, GeomError> {
         Ok(joined(&border.arcs)?.transformed(&self.frame.to_space()))
     }

@@ -1,4 +1,4 @@
-//! Solids that varying regions pass where they are moved or turned.
+//! What varying regions pass where they are moved or turned.
 
 use std::{f64::consts::TAU, sync::Arc};
 
@@ -8,34 +8,14 @@ use super::VariedRegion;
 use crate::{Axis, GeomError, LocalError, Solid, tolerance::KNOT_RELATIVE};
 
 /// There is no solid beside one whose region leaves the plane of the axis.
-const OUT_OF_PLANE: &str = "the turn of a region that leaves the plane of its axis";
+pub(super) const OUT_OF_PLANE: &str = "the turn of a region that leaves the plane of its axis";
 
-/// A solid that a varying region makes.
-///
-/// The volume of a cylinder of radius 1 grows by π with its height:
-///
-/// ```
-/// use std::{f64::consts::TAU, sync::Arc};
-/// use virote_kernel::{
-///     CircleForm, Frame, NurbsCurve, PointSlopes, Region, RegionWay, Solid, Tolerance, VariedCurve,
-///     VariedRegion, VariedSolid, glam::DVec3,
-/// };
-///
-/// let circle = NurbsCurve::ellipse(Frame::XY, [1.0, 1.0], CircleForm::NinePoint)?;
-/// let disc = Region::new(&circle, &[], Tolerance::DEFAULT)?;
-/// let solid = Solid::extruded(&disc, DVec3::Z, Tolerance::DEFAULT)?;
-/// let border = VariedCurve::new(circle.into(), PointSlopes::new(1, 9, Vec::new())?)?;
-/// let region = VariedRegion::new(Arc::new(disc), vec![vec![border]])?;
-/// let way = RegionWay::Along(DVec3::Z, vec![DVec3::Z]);
-/// let varied = VariedSolid::new(solid.into(), region.into(), way);
-/// assert!((varied.volume_slopes()?[0] - std::f64::consts::PI).abs() < 1e-13);
-/// # Ok::<(), virote_kernel::GeomError>(())
-/// ```
+/// What a varying region passes.
 #[derive(Clone, Debug)]
-pub struct VariedSolid {
+pub(super) struct MovedRegion {
     solid: Arc<Solid>,
-    region: Arc<VariedRegion>,
-    way: RegionWay,
+    pub(super) region: Arc<VariedRegion>,
+    pub(super) way: RegionWay,
 }
 
 /// Where a region goes.
@@ -68,22 +48,19 @@ pub enum RegionWay {
     About(Axis, f64, Vec<f64>),
 }
 
-impl VariedSolid {
+impl MovedRegion {
     /// The solid that a region makes on its way.
-    #[must_use]
-    pub fn new(solid: Arc<Solid>, region: Arc<VariedRegion>, way: RegionWay) -> Self {
+    pub(super) fn new(solid: Arc<Solid>, region: Arc<VariedRegion>, way: RegionWay) -> Self {
         Self { solid, region, way }
     }
 
     /// The solid itself.
-    #[must_use]
-    pub fn solid(&self) -> &Arc<Solid> {
+    pub(super) fn solid(&self) -> &Arc<Solid> {
         &self.solid
     }
 
     /// How many variables there are.
-    #[must_use]
-    pub fn n_variables(&self) -> usize {
+    pub(super) fn n_variables(&self) -> usize {
         match &self.way {
             RegionWay::Along(_, slopes) => slopes.len(),
             RegionWay::About(_, _, slopes) => slopes.len(),
@@ -96,7 +73,7 @@ impl VariedSolid {
     /// # Errors
     /// [`LocalError::NotDifferentiable`] where a region that is turned leaves the plane of the axis; where the work is
     /// ended.
-    pub fn volume_slopes(&self) -> Result<Vec<f64>, GeomError> {
+    pub(super) fn volume_slopes(&self) -> Result<Vec<f64>, GeomError> {
         let (region, normal) = (&self.region, self.region.normal());
         let area = region.region().area();
         match &self.way {
@@ -126,7 +103,7 @@ impl VariedSolid {
     /// # Errors
     /// [`LocalError::NotDifferentiable`] of a full turn whose angle varies, and where a region that is turned leaves the
     /// plane of the axis; where the work is ended.
-    pub fn centroid_slopes(&self, along: DVec3) -> Result<Vec<f64>, GeomError> {
+    pub(super) fn centroid_slopes(&self, along: DVec3) -> Result<Vec<f64>, GeomError> {
         match &self.way {
             RegionWay::Along(_, slopes) => {
                 let by_region = self.region.centroid_slopes(along)?;
@@ -186,7 +163,7 @@ impl VariedSolid {
     /// # Errors
     /// [`LocalError::NotDifferentiable`] of a full turn whose angle varies, and where a region that is turned leaves the
     /// plane of the axis; where the work is ended.
-    pub fn area_slopes(&self) -> Result<Vec<f64>, GeomError> {
+    pub(super) fn area_slopes(&self) -> Result<Vec<f64>, GeomError> {
         match &self.way {
             RegionWay::Along(way, slopes) => {
                 let ends = self.region.area_slopes()?;
@@ -219,7 +196,7 @@ impl VariedSolid {
     }
 
     /// The direction in the plane of the region from an axis to it.
-    fn across(&self, axis: Axis) -> DVec3 {
+    pub(super) fn across(&self, axis: Axis) -> DVec3 {
         let across = self.region.normal().cross(axis.direction()).normalize_or_zero();
         let side = (self.region.region().mass().centroid - axis.foot()).dot(across);
         if side < 0.0 { -across } else { across }
@@ -227,7 +204,7 @@ impl VariedSolid {
 }
 
 /// Each sum of a slope by the region and what `part` makes of one of the way.
-fn sums<S>(by_region: &[f64], slopes: &[S], part: impl Fn(&S) -> f64) -> Vec<f64> {
+pub(super) fn sums<S>(by_region: &[f64], slopes: &[S], part: impl Fn(&S) -> f64) -> Vec<f64> {
     by_region.iter().zip(slopes).map(|(own, slope)| own + part(slope)).collect()
 }
 
@@ -236,10 +213,10 @@ fn is_full(angle: f64) -> bool {
     TAU * (1.0 - KNOT_RELATIVE) <= angle.abs()
 }
 
-fn is_fixed(slopes: &[f64]) -> bool {
+pub(super) fn is_fixed(slopes: &[f64]) -> bool {
     slopes.iter().all(|slope| slope.abs() <= 0.0)
 }
 
-fn none(what: &'static str, at: f64) -> GeomError {
+pub(super) fn none(what: &'static str, at: f64) -> GeomError {
     LocalError::NotDifferentiable { what, at }.into()
 }

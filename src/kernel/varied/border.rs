@@ -88,6 +88,12 @@ impl VariedRegion {
         self.n_variables
     }
 
+    /// The curves along each border, the outer one first, and whether they run backwards, with the region to their
+    /// right.
+    pub fn borders(&self) -> impl ExactSizeIterator<Item = (&[VariedCurve], bool)> {
+        self.borders.iter().map(|border| (&border.curves[..], border.sense < 0.0))
+    }
+
     /// The normal of its plane.
     #[must_use]
     pub fn normal(&self) -> DVec3 {
@@ -301,12 +307,12 @@ fn integral(
 
 impl VariedCurve {
     /// The slopes of an integral along the curve by its parameter.
-    fn integral_slopes(
+    pub(super) fn integral_slopes(
         &self,
         what: &'static str,
         partials: &impl Fn(DVec3, DVec3) -> Option<CurvePartials>,
     ) -> Result<Vec<f64>, GeomError> {
-        if self.slopes().by_variable().is_empty() {
+        if self.slopes().is_fixed() {
             return Ok(vec![0.0; self.slopes().n_variables()]);
         }
         let curve = self.curve();

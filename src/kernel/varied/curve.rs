@@ -40,8 +40,8 @@ impl VariedCurve {
     /// # Errors
     /// `KnotError::KnotCount` for slopes of another number of points.
     pub fn new(curve: Arc<NurbsCurve>, slopes: PointSlopes) -> Result<Self, GeomError> {
-        for (_, slopes) in slopes.by_variable() {
-            curve.knots().check_points(slopes.len())?;
+        if !slopes.is_fixed() {
+            curve.knots().check_points(slopes.n_points())?;
         }
         Ok(Self { curve, slopes, given: None })
     }
@@ -58,8 +58,13 @@ impl VariedCurve {
     /// The same as the form of a curve whose own knots move; none unless both are one curve.
     #[must_use]
     pub fn of_moving_knots(self, given: Arc<NurbsCurve>) -> Option<Self> {
+        is_same(&self.curve, &given).then(|| self.known_of_moving_knots(given))
+    }
+
+    /// The same as the form of a curve whose own knots move, which it is known to be.
+    pub(crate) fn known_of_moving_knots(self, given: Arc<NurbsCurve>) -> Self {
         let is_other = self.curve.knots() != given.knots();
-        is_same(&self.curve, &given).then_some(Self { given: is_other.then_some(given), ..self })
+        Self { given: is_other.then_some(given), ..self }
     }
 
     /// The curve on its own knots: those of [`Self::curve`], unless they move.

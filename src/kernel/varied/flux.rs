@@ -197,7 +197,7 @@ impl VariedSurface {
         partials: impl Partials,
     ) -> Result<SurfaceIntegral, GeomError> {
         let n_variables = self.slopes().n_variables();
-        if self.slopes().by_variable().is_empty() {
+        if self.slopes().is_fixed() {
             return Ok(SurfaceIntegral { slopes: vec![0.0; n_variables], relative_error: 0.0 });
         }
         let (knots_u, knots_v) = (self.surface().knots_u(), self.surface().knots_v());

@@ -33,6 +33,13 @@ impl KnotSlopes {
         Ok(Some(Self { knots: knots.with(inner), by_knot: by_knot? }))
     }
 
+    /// How a sum of control points over [`Self::knots`], with a factor for each, changes with each inner knot.
+    pub(crate) fn growths(&self, factors: &[f64]) -> impl Iterator<Item = DVec4> {
+        self.by_knot.iter().map(|(first, points)| {
+            points.iter().zip(&factors[*first..]).map(|(&point, &factor)| point * factor).sum()
+        })
+    }
+
     /// The knots, each inner one twice.
     pub(crate) fn knots(&self) -> &KnotVector {
         &self.knots

@@ -27,7 +27,7 @@ impl VariedCurve {
     pub fn length(&self, interval: Interval) -> Result<Jet, GeomError> {
         let curve = self.curve();
         let mut gradient = vec![DVec4::ZERO; curve.control_points().len()];
-        if !self.slopes().by_variable().is_empty() {
+        if !self.slopes().is_fixed() {
             for piece in curve.smooth_pieces(interval, LAST_BIT * curve.magnitude()) {
                 self.add_length_gradient(piece, &mut gradient)?;
             }

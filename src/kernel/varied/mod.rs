@@ -6,31 +6,39 @@
 //! slopes; where the measure is an integral, its gradient is the integral of the integrand's, found once for
 //! all variables.
 
+mod asked;
 mod body;
 mod border;
 mod closed;
 mod curve;
 mod flux;
+mod inertia;
 pub(crate) mod knots;
 mod length;
 mod orders;
+mod solid;
 mod surface;
+mod wall;
 
-use std::ops::Range;
+use std::{ops::Range, sync::Arc};
 
 use glam::{DVec3, DVec4};
 
+use self::asked::AskedSlopes;
 use super::{CountError, GeomError, Grid, Jet};
 
-pub use body::{RegionWay, VariedSolid};
+pub(crate) use asked::SumsOfSlopes;
+pub use body::RegionWay;
 pub use border::VariedRegion;
 pub use closed::stay_closed;
 pub use curve::VariedCurve;
 pub use flux::SurfaceIntegral;
+pub use solid::VariedSolid;
 pub use surface::VariedSurface;
+pub use wall::VariedWall;
 
-/// The slopes of homogeneous control points by several variables. Invariant: as many for every variable, all
-/// finite.
+/// The slopes of homogeneous control points by several variables: listed, or made of each point when it is asked for.
+/// Invariant: as many for every variable; those that are listed are finite.
 ///
 /// Half the sum of two points, the first of which moves along x with the second of three variables:
 ///
@@ -41,13 +49,52 @@ pub use surface::VariedSurface;
 /// assert_eq!(slopes.through(&[DVec4::splat(0.5); 2]), [0.0, 0.5, 0.0]);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct PointSlopes {
     n_variables: usize,
+    n_points: usize,
+    form: SlopeForm,
+}
+
+/// How slopes are known.
+#[derive(Clone, Debug)]
+enum SlopeForm {
+    /// All of them.
+    Listed(ListedSlopes),
+    /// Those of a point when it is asked for.
+    Asked(Arc<AskedSlopes>),
+}
+
+/// Slopes by variables.
+#[derive(Clone, Debug, Default)]
+struct ListedSlopes {
     /// Those that are not all zero, with the index of the variable, in order.
     by_variable: Vec<(usize, Vec<DVec4>)>,
     /// For each of these, from which point on up to which one they are not zero.
     moving: Vec<Range<usize>>,
+}
+
+impl ListedSlopes {
+    fn new(by_variable: Vec<(usize, Vec<DVec4>)>) -> Self {
+        let (by_variable, moving) = by_variable
+            .into_iter()
+            .filter_map(|own| nonzero(&own.1).map(|range| (own, range)))
+            .unzip();
+        Self { by_variable, moving }
+    }
+
+    /// Each variable with the points that it moves, and their slopes.
+    fn moving(&self) -> impl Iterator<Item = (usize, Range<usize>, &[DVec4])> {
+        let pairs = self.by_variable.iter().zip(&self.moving);
+        pairs.map(|((variable, slopes), moving)| (*variable, moving.clone(), &slopes[..]))
+    }
+}
+
+/// By the same slopes.
+impl PartialEq for PointSlopes {
+    fn eq(&self, other: &Self) -> bool {
+        self.n_variables == other.n_variables && self.by_variable() == other.by_variable()
+    }
 }
 
 impl PointSlopes {
@@ -71,11 +118,20 @@ impl PointSlopes {
             }
             super::homogeneous::check_finite(slopes)?;
         }
-        let (by_variable, moving) = by_variable
-            .into_iter()
-            .filter_map(|own| nonzero(&own.1).map(|range| (own, range)))
-            .unzip();
-        Ok(Self { n_variables, by_variable, moving })
+        let form = SlopeForm::Listed(ListedSlopes::new(by_variable));
+        Ok(Self { n_variables, n_points, form })
+    }
+
+    /// The slopes of so many points that `sums` tells by sums of them: with a factor for each point, those by each of some
+    /// variables.
+    pub(crate) fn asked(
+        n_variables: usize,
+        n_points: usize,
+        variables: Vec<usize>,
+        sums: Box<SumsOfSlopes>,
+    ) -> Self {
+        let asked = AskedSlopes::new(n_points, variables, sums);
+        Self { n_variables, n_points, form: SlopeForm::Asked(Arc::new(asked)) }
     }
 
     /// How many variables there are.
@@ -84,19 +140,47 @@ impl PointSlopes {
         self.n_variables
     }
 
+    /// How many points there are.
+    pub(crate) fn n_points(&self) -> usize {
+        self.n_points
+    }
+
     /// The slopes by those variables that the points depend on, each with its index.
     #[must_use]
     pub fn by_variable(&self) -> &[(usize, Vec<DVec4>)] {
-        &self.by_variable
+        &self.listed().by_variable
+    }
+
+    fn listed(&self) -> &ListedSlopes {
+        match &self.form {
+            SlopeForm::Listed(listed) => listed,
+            SlopeForm::Asked(asked) => asked.listed(),
+        }
+    }
+
+    /// Each variable that moves points with the range of these, and the slopes of all points by it.
+    pub(crate) fn moving(&self) -> impl Iterator<Item = (usize, Range<usize>, &[DVec4])> {
+        self.listed().moving()
+    }
+
+    /// Whether the points depend on no variable.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        match &self.form {
+            SlopeForm::Listed(listed) => listed.by_variable.is_empty(),
+            SlopeForm::Asked(asked) => asked.is_fixed(),
+        }
     }
 
     /// # Errors
     /// [`CountError::WrongCount`] unless they are those of so many points.
     pub(crate) fn check_points(&self, needed: usize) -> Result<(), GeomError> {
-        let counts = self.by_variable.iter().map(|(_, slopes)| slopes.len());
-        match counts.into_iter().find(|&got| got != needed) {
-            Some(got) => Err(CountError::WrongCount { what: "slopes", needed, got }.into()),
-            None => Ok(()),
+        match self.is_fixed() || self.n_points == needed {
+            true => Ok(()),
+            false => {
+                let got = self.n_points;
+                Err(CountError::WrongCount { what: "slopes", needed, got }.into())
+            }
         }
     }
 
@@ -104,9 +188,15 @@ impl PointSlopes {
     #[must_use]
     pub fn through(&self, gradient: &[DVec4]) -> Vec<f64> {
         let mut all = vec![0.0; self.n_variables];
-        for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
-            let pairs = slopes[moving.clone()].iter().zip(gradient.iter().skip(moving.start));
-            all[*variable] = pairs.map(|(s, g)| s.dot(*g)).sum();
+        match &self.form {
+            SlopeForm::Listed(listed) => {
+                for (variable, moving, slopes) in listed.moving() {
+                    let from = moving.start;
+                    let pairs = slopes[moving].iter().zip(gradient.iter().skip(from));
+                    all[variable] = pairs.map(|(s, g)| s.dot(*g)).sum();
+                }
+            }
+            SlopeForm::Asked(asked) => asked.add_through(gradient, &mut all),
         }
         all
     }
@@ -114,7 +204,7 @@ impl PointSlopes {
     /// The points with some variables moved by steps.
     fn moved(&self, points: &[DVec4], steps: &[(usize, f64)]) -> Vec<DVec4> {
         let mut moved = points.to_vec();
-        for (variable, slopes) in &self.by_variable {
+        for (variable, slopes) in self.by_variable() {
             for (_, step) in steps.iter().filter(|(moving, _)| moving == variable) {
                 moved.iter_mut().zip(slopes).for_each(|(point, slope)| *point += slope * step);
             }
@@ -129,8 +219,12 @@ impl PointSlopes {
         acting: impl Iterator<Item = Range<usize>> + Clone,
         factors: &Grid<f64>,
     ) -> Vec<(usize, Vec<DVec4>)> {
+        let listed = match &self.form {
+            SlopeForm::Listed(listed) => listed,
+            SlopeForm::Asked(asked) => return asked.sums(acting, factors),
+        };
         let mut found = Vec::new();
-        for ((variable, slopes), moving) in self.by_variable.iter().zip(&self.moving) {
+        for (variable, moving, slopes) in listed.moving() {
             let (mut sums, mut row) = (Vec::new(), 0);
             for range in acting.clone() {
                 let (first, end) = (range.start.max(moving.start), range.end.min(moving.end));
@@ -142,7 +236,7 @@ impl PointSlopes {
                 row += range.len();
             }
             if !sums.is_empty() {
-                found.push((*variable, sums));
+                found.push((variable, sums));
             }
         }
         found

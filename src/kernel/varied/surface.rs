@@ -41,10 +41,19 @@ impl VariedSurface {
     /// [`CountError::TooFewPoints`] for slopes of another number of points.
     pub fn new(surface: Arc<NurbsSurface>, slopes: PointSlopes) -> Result<Self, GeomError> {
         let needed = surface.control_points().as_slice().len();
-        match slopes.by_variable().iter().find(|(_, slopes)| slopes.len() != needed) {
-            Some((_, slopes)) => Err(CountError::TooFewPoints { got: slopes.len(), needed }.into()),
-            None => Ok(Self { surface, slopes, given: None }),
+        match slopes.is_fixed() || slopes.n_points() == needed {
+            true => Ok(Self { surface, slopes, given: None }),
+            false => Err(CountError::TooFewPoints { got: slopes.n_points(), needed }.into()),
         }
+    }
+
+    /// A surface that does not depend on so many variables.
+    ///
+    /// # Errors
+    /// None but those of [`Self::new`].
+    pub fn fixed(surface: Arc<NurbsSurface>, n_variables: usize) -> Result<Self, GeomError> {
+        let n_points = surface.control_points().as_slice().len();
+        Self::new(surface, PointSlopes::new(n_variables, n_points, Vec::new())?)
     }
 
     /// The same as the form of a surface whose own knots move; none unless both are one surface.
@@ -52,7 +61,9 @@ impl VariedSurface {
     pub fn of_moving_knots(self, given: Arc<NurbsSurface>) -> Option<Self> {
         let knots = |surface: &NurbsSurface| [surface.knots_u().clone(), surface.knots_v().clone()];
         let is_other = knots(&self.surface) != knots(&given);
-        is_same(&self.surface, &given).then_some(Self { given: is_other.then_some(given), ..self })
+        let is_it = !is_other && self.surface.control_points() == given.control_points();
+        (is_it || is_same(&self.surface, &given))
+            .then_some(Self { given: is_other.then_some(given), ..self })
     }
 
     /// The surface on its own knots: those of [`Self::surface`], unless they move.

@@ -71,28 +71,36 @@ pub(super) fn run(op: &'static Op, ctx: &mut Ctx<'_>, call: Call) -> Result<Valu
         ctx.caller.keep_warnings(n_warnings);
     }
     if let Some(settling) = op.settling
-        && (settling.applies)(&call)
         && let Some(found) = settled((op, settling), ctx, &call)?
     {
         return Ok(found);
     }
-    // A rule may look at knots; what is listed does not.
+    let is_of_shape = is_of_shape(op, &call);
+    beside(op, is_of_shape, ctx, call)
+}
+
+/// Whether what an operation answers to a call depends on shapes alone: a rule may look at knots; what is listed does
+/// not.
+fn is_of_shape(op: &Op, call: &Call) -> bool {
     let is_listed = |settling: &&Settling| {
         call.named.iter().any(|(name, given)| {
             &*name.value == settling.parameter && matches!(given.value, Value::List(_))
         })
     };
-    let is_of_shape = op.is_of_shape && op.settling.as_ref().is_none_or(is_listed);
-    beside(op, is_of_shape, ctx, call)
+    op.is_of_shape && op.settling.as_ref().is_none_or(is_listed)
 }
 
 /// What an operation answers that finds something by a rule: with that held, and how it moves on top; none where that
-/// is not known.
+/// is not known, or nothing is found.
 fn settled(
     (op, settling): (&'static Op, &Settling),
     ctx: &mut Ctx<'_>,
     call: &Call,
 ) -> Result<Option<Value>> {
+    let is_moving = (settling.applies)(call);
+    if !is_moving && settling.held.is_none() {
+        return Ok(None);
+    }
     let answer = (op.run)(ctx, plain(call))?;
     let Value::Surface(Surface::Nurbs(surface)) = &answer else { return Ok(None) };
     let report = surface.report().map(IntoValue::into_value);
@@ -100,13 +108,23 @@ fn settled(
     let Some(found) = report.get(settling.parameter) else { return Ok(None) };
     let n_warnings = ctx.caller.n_warnings();
     let mut held = call.clone();
-    held.named.retain(|(name, _)| &*name.value != settling.parameter);
-    held.named.push((
-        Spanned::new(Arc::from(settling.parameter), call.span),
-        Spanned::new(found.clone(), call.span),
-    ));
-    let fixed = beside(op, op.is_of_shape, ctx, held);
+    let mut hold = |name: &'static str, value: Value| {
+        held.named.retain(|(own, _)| &*own.value != name);
+        let name = Spanned::new(Arc::from(name), call.span);
+        held.named.push((name, Spanned::new(value, call.span)));
+    };
+    for (name, value) in settling.held.map(|held| held(&report)).unwrap_or_default() {
+        hold(name, value);
+    }
+    if is_moving {
+        hold(settling.parameter, found.clone());
+    }
+    let is_of_shape = is_of_shape(op, &held);
+    let fixed = beside(op, is_of_shape, ctx, held);
     ctx.caller.keep_warnings(n_warnings);
+    if !is_moving {
+        return Ok(fixed.ok().and_then(|fixed| with_form_of(&fixed, &answer)));
+    }
     let Value::JetSurface(fixed) = fixed? else { return Ok(None) };
     let moved = (settling.moving)(call, &fixed, found).at(call.span)?;
     Ok(moved.and_then(|moved| with_form_of(&Value::JetSurface(moved.into()), &answer)))

@@ -20,6 +20,10 @@ use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
 /// operation takes.
 const HALVINGS: [i32; 4] = [2, 3, 6, 12];
 
+/// How many times fewer steps variables of other lines together have to take before they are tried, since operations
+/// that mix lines lose the time of these.
+const FEWER_BY_LINE: usize = 4;
+
 /// Why an answer has no derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NoDerivative {
@@ -260,7 +264,24 @@ impl<'a> Differences<'a> {
     /// The same of variables that move one coordinate each, from steps of several at once; none where they do not go
     /// together.
     fn lines_together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
-        let packed = PackedVariables::new(self.args, &all_moved(self.args, &[])?, n_variables)?;
+        let held = all_moved(self.args, &[])?;
+        let packed = PackedVariables::new(self.args, &held, n_variables, false)?;
+        if PackedVariables::have_lines(&held, &self.base)
+            && let Some(by_line) = PackedVariables::new(self.args, &held, n_variables, true)
+            && FEWER_BY_LINE * (by_line.len() + 1) <= packed.len()
+            && let Some(lines) = self.lines_of_packs(&by_line, n_variables)
+        {
+            return Some(lines);
+        }
+        self.lines_of_packs(&packed, n_variables)
+    }
+
+    /// The growths of variables by steps of packs of them; none where they do not go together.
+    fn lines_of_packs(
+        &mut self,
+        packed: &PackedVariables,
+        n_variables: usize,
+    ) -> Option<Vec<Growth>> {
         let mut together = Differences {
             args: &packed.args,
             base: self.base.clone(),

@@ -12,34 +12,60 @@ use crate::kernel::{
 /// What a number is that is no coordinate of a point, beside 0, 1 and 2 for x, y and z.
 pub(super) const OTHER_NUMBER: usize = 3;
 
+/// Where a number stands in what it belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct NumberPlace {
+    /// Which coordinate of a point it is, or [`OTHER_NUMBER`].
+    pub(super) axis: usize,
+    /// To which control point of a curve it belongs, or to which row of those of a surface; none elsewhere.
+    pub(super) line: Option<usize>,
+}
+
 /// The numbers of a value, one behind the other: of numbers, points, ranges, lists and records, and of
 /// control points with their weights.
 pub(super) fn numbers(value: &Value, all: &mut Vec<f64>) {
     each_number(value, &mut |number, _| all.push(number));
 }
 
-/// Which coordinate each of the [`numbers`] of a value is, or [`OTHER_NUMBER`].
-pub(super) fn axes(value: &Value, all: &mut Vec<usize>) {
-    each_number(value, &mut |_, axis| all.push(axis));
+/// Where each of the [`numbers`] of a value stands.
+pub(super) fn places(value: &Value, all: &mut Vec<NumberPlace>) {
+    each_number(value, &mut |_, place| all.push(place));
 }
 
-fn each_number(value: &Value, take: &mut dyn FnMut(f64, usize)) {
-    let points = |points: &[DVec4], take: &mut dyn FnMut(f64, usize)| {
-        for point in points {
-            point.to_array().into_iter().zip(0..).for_each(|(number, axis)| take(number, axis));
-        }
+/// How many lines the curves and surfaces in a value have, as [`NumberPlace::line`] counts them; none where they differ,
+/// or there are none.
+pub(super) fn n_lines<'v>(values: impl IntoIterator<Item = &'v Value>) -> Option<usize> {
+    let mut counts = values.into_iter().filter_map(|value| match value {
+        Value::Curve(Curve::Nurbs(curve)) => Some(Some(curve.control_points().len())),
+        Value::Surface(Surface::Nurbs(surface)) => Some(Some(surface.control_points().n_rows())),
+        Value::List(items) if items.numbers().is_none() => Some(n_lines(items.iter())),
+        _ => None,
+    });
+    let first = counts.next()??;
+    counts.all(|count| count == Some(first)).then_some(first)
+}
+
+fn each_number(value: &Value, take: &mut dyn FnMut(f64, NumberPlace)) {
+    let other = NumberPlace { axis: OTHER_NUMBER, line: None };
+    let point = |numbers: &[f64], line: Option<usize>, take: &mut dyn FnMut(f64, NumberPlace)| {
+        let places = (0..).map(|axis| NumberPlace { axis, line });
+        numbers.iter().zip(places).for_each(|(number, place)| take(*number, place));
     };
     match value {
-        Value::Number(number) => take(number.value, OTHER_NUMBER),
-        Value::Point(point) => {
-            point.to_array().into_iter().zip(0..).for_each(|(number, axis)| take(number, axis));
-        }
+        Value::Number(number) => take(number.value, other),
+        Value::Point(own) => point(&own.to_array(), None, take),
         Value::Range(range) => {
-            [range.start, range.end].into_iter().for_each(|end| take(end.value, OTHER_NUMBER));
+            [range.start, range.end].into_iter().for_each(|end| take(end.value, other));
         }
-        Value::Curve(Curve::Nurbs(curve)) => points(curve.control_points(), take),
+        Value::Curve(Curve::Nurbs(curve)) => {
+            let points = curve.control_points().iter().enumerate();
+            points.for_each(|(line, own)| point(&own.to_array(), Some(line), take));
+        }
         Value::Surface(Surface::Nurbs(surface)) => {
-            points(surface.control_points().as_slice(), take);
+            let net = surface.control_points();
+            for line in 0..net.n_rows() {
+                net.row(line).iter().for_each(|own| point(&own.to_array(), Some(line), take));
+            }
         }
         Value::List(items) => items.values().for_each(|item| each_number(&item, take)),
         Value::Record(record) => record.iter().for_each(|(_, value)| each_number(value, take)),
@@ -122,7 +148,7 @@ impl NumberSlopes<'_> {
 
     fn curve(&mut self, curve: &Arc<NurbsCurve>) -> Option<Value> {
         let slopes = self.points(curve.control_points().len())?;
-        if slopes.by_variable().is_empty() {
+        if slopes.is_fixed() {
             return Some(Value::Curve(Curve::Nurbs(Arc::clone(curve))));
         }
         Some(Value::JetCurve(Arc::new(VariedCurve::new(Arc::clone(curve), slopes).ok()?)))
@@ -131,7 +157,7 @@ impl NumberSlopes<'_> {
     fn surface(&mut self, surface: &Arc<NurbsSurface>) -> Option<Value> {
         let net: &Grid<DVec4> = surface.control_points();
         let slopes = self.points(net.as_slice().len())?;
-        if slopes.by_variable().is_empty() {
+        if slopes.is_fixed() {
             return Some(Value::Surface(Surface::Nurbs(Arc::clone(surface))));
         }
         Some(Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?)))

@@ -1,27 +1,83 @@
 //! Several variables moved by one step, for operations that do the same to each coordinate by itself, as most do
 //! that make curves and surfaces of points and curves: what moves along one coordinate is moved along another one
-//! beside it, and what the answer does there is what it would do along its own.
+//! beside it, and what the answer does there is what it would do along its own. Where lines of control points go
+//! through curves and each makes a row of a surface by itself, as in a skin, so do variables of other lines.
 //!
 //! That an operation is of this kind is supposed only; whoever uses this holds the outcome against the variables as
 //! they are.
 
 use super::{
     Value,
-    numbers::{NumberSlopes, OTHER_NUMBER, axes, slopes},
+    numbers::{NumberPlace, NumberSlopes, OTHER_NUMBER, n_lines, places, slopes},
 };
 use crate::limits::work;
 
-/// How many coordinates a point has, and so how many variables go together.
+/// How many coordinates a point has, and so how many variables go together that move all lines.
 const N_AXES: usize = 3;
 
 /// A variable among those that are moved together.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct PackedVariable {
     variable: usize,
     /// By how much it is moved over a step of one.
     scale: f64,
     /// The coordinate that it moves, and that along which this is done; none of one that moves several.
     turned: Option<[usize; 2]>,
+    /// Which lines it moves, in order; none where it may move any.
+    lines: Option<Vec<usize>>,
+}
+
+impl PackedVariable {
+    /// Whether it may move what stands there.
+    fn moves(&self, place: NumberPlace) -> bool {
+        let is_along = self.turned.is_none_or(|[axis, _]| axis == place.axis);
+        let lines = self.lines.as_ref();
+        is_along && lines.zip(place.line).is_none_or(|(all, own)| all.binary_search(&own).is_ok())
+    }
+}
+
+/// Variables that are moved together.
+#[derive(Debug, Default)]
+struct Pack {
+    members: Vec<PackedVariable>,
+    /// Which lines move along each coordinate; of none the rest are free.
+    taken: [Taken; N_AXES],
+}
+
+/// Lines that move along a coordinate.
+#[derive(Clone, Debug)]
+enum Taken {
+    Lines(Vec<usize>),
+    All,
+}
+
+impl Default for Taken {
+    fn default() -> Self {
+        Self::Lines(Vec::new())
+    }
+}
+
+impl Taken {
+    /// Takes lines, or all; whether they were free.
+    fn take(&mut self, lines: Option<&[usize]>) -> bool {
+        match (&mut *self, lines) {
+            (Self::All, _) => false,
+            (Self::Lines(own), None) => {
+                let is_free = own.is_empty();
+                if is_free {
+                    *self = Self::All;
+                }
+                is_free
+            }
+            (Self::Lines(own), Some(lines)) => {
+                let is_free = lines.iter().all(|line| !own.contains(line));
+                if is_free {
+                    own.extend(lines);
+                }
+                is_free
+            }
+        }
+    }
 }
 
 /// Variables by those that are moved together.
@@ -33,17 +89,23 @@ pub(super) struct PackedVariables {
 }
 
 impl PackedVariables {
-    /// Of arguments and the same without derivatives; none where no variables go together.
-    pub(super) fn new(args: &[Value], held: &[Value], n_variables: usize) -> Option<Self> {
+    /// Of arguments and the same without derivatives, those of other lines together too where `by_line`; none where no
+    /// variables go together.
+    pub(super) fn new(
+        args: &[Value],
+        held: &[Value],
+        n_variables: usize,
+        by_line: bool,
+    ) -> Option<Self> {
         let mut kinds = Vec::new();
-        held.iter().for_each(|arg| axes(arg, &mut kinds));
+        held.iter().for_each(|arg| places(arg, &mut kinds));
         // The slopes of all numbers by all variables may be more than there is room for.
         if !work::goes_on(1 + (n_variables * kinds.len()) as u64 / work::PARTS_A_STEP) {
             return None;
         }
         let mut all = vec![Vec::with_capacity(kinds.len()); n_variables];
         args.iter().for_each(|arg| slopes(arg, &mut all));
-        let packs = packs(&all, &kinds);
+        let packs = packs(&all, &kinds, by_line);
         let n_moving: usize = packs.iter().map(Vec::len).sum();
         if packs.len() == n_moving {
             return None;
@@ -65,6 +127,11 @@ impl PackedVariables {
         Some(Self { packs, args: args? })
     }
 
+    /// Whether each line of an answer may be made of the same line of all arguments, as far as their number tells.
+    pub(super) fn have_lines(held: &[Value], answer: &Value) -> bool {
+        n_lines(held).is_some_and(|n| 1 < n && n_lines([answer]) == Some(n))
+    }
+
     pub(super) fn len(&self) -> usize {
         self.packs.len()
     }
@@ -77,48 +144,79 @@ impl PackedVariables {
         answer: &Value,
     ) -> Vec<(usize, f64, Vec<f64>)> {
         let mut kinds = Vec::with_capacity(growth.len());
-        axes(answer, &mut kinds);
+        places(answer, &mut kinds);
         let of_member = |member: &PackedVariable| {
             let places = sum_places(&kinds, member.turned);
-            let own = kinds.iter().zip(places).map(|(&kind, place)| match member.turned {
-                Some([axis, _]) if axis != kind => 0.0,
-                _ => growth[place],
-            });
+            let own = kinds
+                .iter()
+                .zip(places)
+                .map(|(&kind, place)| if member.moves(kind) { growth[place] } else { 0.0 });
             (member.variable, step * member.scale, own.collect())
         };
         self.packs[pack].iter().map(of_member).collect()
     }
 }
 
-/// Where each number of a variable goes to, among numbers of these kinds.
-fn sum_places(kinds: &[usize], turned: Option<[usize; 2]>) -> impl Iterator<Item = usize> + '_ {
-    kinds.iter().enumerate().map(move |(idx, &kind)| match turned {
-        Some([axis, along]) if kind == axis => idx - axis + along,
+/// Where each number of a variable goes to, among numbers that stand there.
+fn sum_places(
+    kinds: &[NumberPlace],
+    turned: Option<[usize; 2]>,
+) -> impl Iterator<Item = usize> + '_ {
+    kinds.iter().enumerate().map(move |(idx, kind)| match turned {
+        Some([axis, along]) if kind.axis == axis => idx - axis + along,
         _ => idx,
     })
 }
 
 /// The variables that move something, by those that can go together.
-fn packs(all: &[Vec<f64>], kinds: &[usize]) -> Vec<Vec<PackedVariable>> {
-    let (mut packs, mut open) = (Vec::new(), Vec::new());
+fn packs(all: &[Vec<f64>], kinds: &[NumberPlace], by_line: bool) -> Vec<Vec<PackedVariable>> {
+    let (mut alone, mut packs, mut n_full) = (Vec::new(), Vec::<Pack>::new(), 0);
     for (variable, slopes) in all.iter().enumerate() {
         let moving = || slopes.iter().zip(kinds).filter(|(slope, _)| **slope != 0.0);
-        let Some((_, &axis)) = moving().next() else { continue };
+        let Some((_, first)) = moving().next() else { continue };
         let largest = moving().fold(0.0, |most: f64, (slope, _)| most.max(slope.abs()));
         let scale = libm::exp2(-libm::log2(largest).round());
-        if axis == OTHER_NUMBER || moving().any(|(_, kind)| *kind != axis) {
-            packs.push(vec![PackedVariable { variable, scale, turned: None }]);
+        let axis = first.axis;
+        if axis == OTHER_NUMBER || moving().any(|(_, kind)| kind.axis != axis) {
+            alone.push(vec![PackedVariable { variable, scale, turned: None, lines: None }]);
             continue;
         }
-        open.push(PackedVariable { variable, scale, turned: Some([axis, open.len()]) });
-        if open.len() == N_AXES {
-            packs.push(std::mem::take(&mut open));
+        let lines: Option<Vec<usize>> =
+            if by_line { moving().map(|(_, kind)| kind.line).collect() } else { None };
+        let lines = lines.map(|mut lines| {
+            lines.sort_unstable();
+            lines.dedup();
+            lines
+        });
+        let is_full = |pack: &Pack| pack.taken.iter().all(|taken| matches!(taken, Taken::All));
+        n_full += packs[n_full..].iter().take_while(|pack| is_full(pack)).count();
+        let place =
+            |pack: &mut Pack| pack.taken.iter_mut().position(|taken| taken.take(lines.as_deref()));
+        let found = packs[n_full..]
+            .iter_mut()
+            .enumerate()
+            .find_map(|(idx, pack)| place(pack).map(|along| (n_full + idx, along)));
+        let (idx, along) = found.unwrap_or_else(|| {
+            let mut pack = Pack::default();
+            let along = place(&mut pack).unwrap_or(0);
+            packs.push(pack);
+            (packs.len() - 1, along)
+        });
+        packs[idx].members.push(PackedVariable {
+            variable,
+            scale,
+            turned: Some([axis, along]),
+            lines,
+        });
+    }
+    for pack in packs {
+        let mut members = pack.members;
+        // One alone stays where it is.
+        if let [only] = &mut members[..] {
+            only.turned = None;
+            only.lines = None;
         }
+        alone.push(members);
     }
-    // One alone stays where it is.
-    if let [only] = &mut open[..] {
-        only.turned = None;
-    }
-    packs.extend((!open.is_empty()).then_some(open));
-    packs
+    alone
 }

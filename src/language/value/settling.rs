@@ -1,6 +1,6 @@
 //! What operations find by rules, where that moves with what is differentiated.
 
-use super::{Call, Value};
+use super::{Call, Record, Value};
 use crate::kernel::{GeomError, VariedSurface};
 
 /// What an operation finds by a rule before it makes a surface that is affine in all else.
@@ -10,6 +10,8 @@ pub struct Settling {
     pub parameter: &'static str,
     /// In which calls it is found, and moves with what is differentiated.
     pub applies: fn(&Call) -> bool,
+    /// Of its report, arguments that say what else it found, where that stays while what is differentiated moves a little.
+    pub held: Option<fn(&Record) -> Vec<(&'static str, Value)>>,
     /// The surface with the derivatives that it has while that moves, from those that it has while that stays at what was
     /// found; none where they are not known.
     pub moving: fn(&Call, &VariedSurface, &Value) -> MovingSurface,

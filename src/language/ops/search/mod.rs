@@ -141,7 +141,16 @@ fn value_at(
                 found.also(ctx.span, format!("asked at {} from here", range.place_text(at))),
             );
         }
-        found
+        match range.ends.iter().position(|end| end.to_bits() == at.to_bits()) {
+            Some(end) if unknowns::is_without_value(&found) => {
+                let place = range.place_text(at);
+                Box::new(found.hint(match end {
+                    0 => format!("the range begins where the function has no value: let `within` begin above {place}"),
+                    _ => format!("the range ends where the function has no value: let `within` end below {place}"),
+                }))
+            }
+            _ => found,
+        }
     })
 }
 

@@ -2,11 +2,11 @@
 
 use glam::DVec3;
 
-use super::mass;
+use super::{check_inside_varies, mass};
 use crate::{
-    diag::{Code, Diagnostic, Result},
+    diag::Result,
     ops::measure::MassOf,
-    value::{At, CARRIES_DERIVATIVES, Ctx, RealSolid, Vector, op, with_slopes},
+    value::{At, Ctx, RealSolid, Vector, op, with_slopes},
 };
 
 op! {
@@ -24,12 +24,7 @@ op! {
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vector> {
     let center = mass(args.s.plain(), args.of, "centroid", ctx)?.centroid;
     let Some(varied) = args.s.varied() else { return Ok(Vector::Plain(center)) };
-    if args.of == MassOf::Area {
-        let message = "`centroid`: no derivative passes to that of the faces of a solid";
-        return Diagnostic::error(Code::NoDerivative, ctx.span, message)
-            .hint(CARRIES_DERIVATIVES)
-            .fail();
-    }
+    check_inside_varies("centroid", args.of, ctx)?;
     let along = |axis: DVec3| {
         with_slopes(center.dot(axis), Some(varied.centroid_slopes(axis))).at(ctx.span)
     };

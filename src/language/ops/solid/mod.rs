@@ -18,6 +18,7 @@ mod section;
 mod shells;
 mod skin;
 mod sweep;
+mod varied_walls;
 mod vertices;
 mod volume;
 mod walls;
@@ -30,7 +31,7 @@ use super::measure::{MassOf, tell_accuracy};
 use crate::{
     diag::{Code, Diagnostic, Result, Span},
     kernel::{GeomError, MassProperties, Solid, VariedCurve, VariedRegion},
-    value::{At, Ctx, NoDerivative, Op, Real, RealRegion, Vector},
+    value::{At, CARRIES_DERIVATIVES, Ctx, NoDerivative, Op, Real, RealRegion, Vector},
 };
 
 pub(super) static OPS: &[&Op] = &[
@@ -109,4 +110,14 @@ fn mass(solid: &Solid, of: MassOf, what: &str, ctx: &mut Ctx<'_>) -> Result<Mass
     let mass = mass.at(ctx.span)?;
     tell_accuracy(what, mass.relative_error, ctx)?;
     Ok(mass)
+}
+
+/// # Errors
+/// The faces of a solid, to whose `what` no derivative passes.
+fn check_inside_varies(what: &str, of: MassOf, ctx: &Ctx<'_>) -> Result<()> {
+    if of == MassOf::Volume {
+        return Ok(());
+    }
+    let message = format!("`{what}`: no derivative passes to that of the faces of a solid");
+    Diagnostic::error(Code::NoDerivative, ctx.span, message).hint(CARRIES_DERIVATIVES).fail()
 }

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
+use super::{varied_walls::with_walls, walls::of_walls};
 use crate::{
     diag::{Code, Diagnostic, Result, Spanned},
-    kernel::{Curve, Face, NurbsCurve, Region, SectionParameters, Solid},
-    ops::solid::walls::of_walls,
+    kernel::{Curve, Face, NurbsCurve, SectionParameters, Solid},
     ops::surface::{
         section::{SectionPairing, SectionPlaces, SectionShape, SectionTangent},
         skin_options::{SkinOptions, skin_options},
     },
-    value::{At, Ctx, Length, op},
+    value::{At, Ctx, Length, RealRegion, RealSolid, op},
 };
 
 op! {
@@ -19,9 +19,9 @@ op! {
     /// Their borders are skinned as curves are, the outer ones, and holes in their order: u along them, v from one region
     /// to the next. All regions have as many holes. A closed skin goes on from the last region to the first, without
     /// ends.
-    skin | loft in Solid -> Solid {
+    skin | loft in Solid -> RealSolid {
         /// The regions in order, two or more.
-        sections: Spanned<Vec<Arc<Region>>>,
+        sections: Spanned<Vec<RealRegion>>,
         /// The degree along v, from 1; fewer regions than degree + 1 lower it.
         degree: Spanned<usize> = Spanned::unplaced(3),
         /// A curve whose tangents the sides take at the regions; degree 2 or 3.
@@ -50,6 +50,7 @@ op! {
     example "volume(skin([region(circle((0, 0, 0), 2)), region(circle((0, 0, 3), 1))])) ~= 7*pi" => "true";
     example "len(skin([for z in 0..2: region(circle((0, 0, z), 2), holes = [circle((0, 0, z), 1)])]).faces)" => "4";
     example "volume(skin([region(circle((0, 0, 0), 2)), region(circle((0, 0, 3), 1))], start_tangent = (0, 0, 3), end_tangent = (0, 0, 3))) ~= 249/35*pi" => "true";
+    example "gradient(r => volume(skin([region(circle((0, 0, 0), r)), region(circle((0, 0, 3), 1))])), 2) ~= 5*pi" => "true";
     refuses "skin([region(circle((0, 0), 2))])" => "E0401: a skin needs 2 sections or more, found 1";
     refuses "skin([region(circle((0, 0), 2)), region(circle((0, 0, 1), 2), holes = [circle((0, 0, 1), 1)])])" => "E0607: `sections[1]` has 1 hole, and the first region has 0";
     scene r#"
@@ -59,12 +60,12 @@ op! {
     "#;
 }
 
-fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<RealSolid> {
     let span = args.sections.span;
     let options = skin_options!(args);
     options.check()?;
     let regions = &args.sections.value;
-    let borders = regions.iter().map(|region| region.borders());
+    let borders = regions.iter().map(|region| region.plain().borders());
     let borders: Vec<Vec<NurbsCurve>> = borders.collect::<std::result::Result<_, _>>().at(span)?;
     let n_loops = borders.first().map_or(1, Vec::len);
     if let Some(odd) = borders.iter().position(|all| all.len() != n_loops) {
@@ -80,14 +81,16 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Solid> {
     let mut sides = Vec::with_capacity(n_loops);
     for i in 0..n_loops {
         let sections: Vec<Curve> = borders.iter().map(|all| all[i].clone().into()).collect();
-        let side = options.surface(ctx, sections, span)?;
-        sides.push(Face::whole(Arc::new(side), ctx.tolerance).at(span)?);
+        sides.push(Arc::new(options.surface(ctx, sections, span)?));
     }
-    let made = Solid::capped(&sides, ctx.tolerance);
-    of_walls(
+    let faces = sides.iter().map(|side| Face::whole(Arc::clone(side), ctx.tolerance));
+    let faces: Vec<Face> = faces.collect::<std::result::Result<_, _>>().at(span)?;
+    let made = Solid::capped(&faces, ctx.tolerance);
+    let solid = of_walls(
         ctx,
         made,
         ctx.span,
         "holes go through all regions in their order: pair those that lie alike; sections whose walls cross want others between them",
-    )
+    )?;
+    with_walls(ctx, &options, (regions, span), &sides, Arc::new(solid))
 }

@@ -21,7 +21,7 @@ mod fit;
 mod gordon;
 mod interpolate;
 pub(super) mod motion;
-mod moving;
+pub(super) mod moving;
 mod network;
 mod nurbs;
 mod parametric;

@@ -10,16 +10,35 @@ use crate::{
     diag::Span,
     kernel::{Direction, Ends, GeomError, Grid, Parametrization, SectionParameters, VariedSurface},
     ops::curve::fit::moves_knots,
-    value::{Call, FromValue, Settling, Value, Vector},
+    value::{Call, FromValue, Record, Settling, Value, Vector},
 };
 
 /// Of a skin by a rule.
-pub(super) static SKIN: Settling =
-    Settling { parameter: "parameters", applies: is_skin_by_rule, moving: moving_skin };
+pub(super) static SKIN: Settling = Settling {
+    parameter: "parameters",
+    applies: is_skin_by_rule,
+    held: Some(held_alignment),
+    moving: moving_skin,
+};
 
 /// Of a surface through a grid of points by a rule.
 pub(super) static GRID: Settling =
-    Settling { parameter: "parameters", applies: is_grid_by_rule, moving: moving_grid };
+    Settling { parameter: "parameters", applies: is_grid_by_rule, held: None, moving: moving_grid };
+
+/// Sections that run beside one another as they are go on to do so where they move a little.
+fn held_alignment(report: &Record) -> Vec<(&'static str, Value)> {
+    match is_as_given(report) {
+        true => vec![("align", Value::Bool(false))],
+        false => Vec::new(),
+    }
+}
+
+/// Whether a skin's sections are as they were given: none was turned around, and no seam or corner was moved.
+pub(in crate::ops) fn is_as_given(report: &Record) -> bool {
+    ["reversed", "moved_seams", "moved_corners"].into_iter().all(|entry| {
+        report.get(entry).is_none_or(|found| matches!(found, Value::List(all) if all.is_empty()))
+    })
+}
 
 fn has_only(call: &Call, names: &[&str]) -> bool {
     call.named.iter().all(|(name, _)| names.contains(&&*name.value))
@@ -35,8 +54,12 @@ fn named<T: FromValue>(call: &Call, name: &str, default: T) -> Option<T> {
 
 fn is_skin_by_rule(call: &Call) -> bool {
     let rule = named(call, "parameters", SectionParameters::Average);
-    rule.is_some_and(|rule| rule != SectionParameters::Uniform)
-        && has_only(call, &["sections", "degree", "parameters", "align"])
+    rule.is_some_and(moves) && has_only(call, &["sections", "degree", "parameters", "align"])
+}
+
+/// Whether the parameters that a rule finds move with the sections.
+pub(super) fn moves(rule: SectionParameters) -> bool {
+    rule != SectionParameters::Uniform
 }
 
 fn moving_skin(

@@ -4,17 +4,18 @@ use super::section::{
     SectionPairing, SectionPlaces, SectionShape, SectionTangent, warn_of_crossings,
     warn_of_lost_corners,
 };
-use super::sweep_options::tolerated;
+use super::{moving::moves, sweep_options::tolerated};
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
         ConstructionError, CountError, Curve, FormError, GeomError, InputError, NurbsSurface,
-        SkinBuilder, SkinError, SkinInput, SkinnedSurface,
+        SectionParameters, SkinBuilder, SkinError, SkinInput, SkinnedSurface,
     },
     value::{Ctx, Length, blamed_on, shortest},
 };
 
 /// The options of a skin, as the operations document them.
+#[derive(Clone)]
 pub(in crate::ops) struct SkinOptions {
     pub(in crate::ops) degree: Spanned<usize>,
     pub(in crate::ops) spine: Option<Spanned<Curve>>,
@@ -68,6 +69,21 @@ impl SkinOptions {
         warn_of_weights(ctx, &made, tolerance);
         warn_of_crossings(ctx, &made.sections, span, tolerance);
         Ok(made.surface)
+    }
+
+    /// The rule by which parameters are found that move with the sections, where nothing but the degree is told besides.
+    pub(in crate::ops) fn moving_rule(&self) -> Option<SectionParameters> {
+        let is_told = self.spine.is_some()
+            || self.is_closed
+            || self.start_tangent.is_some()
+            || self.end_tangent.is_some()
+            || self.shape.value != SectionShape::Free
+            || self.pairing != SectionPairing::Parameter
+            || self.tolerance.is_some();
+        match &self.parameters.value {
+            SectionPlaces::By(rule) if !is_told => moves(*rule).then_some(*rule),
+            _ => None,
+        }
     }
 
     fn builder(&self, sections: Vec<Curve>, ctx: &Ctx<'_>) -> SkinBuilder {

@@ -1,0 +1,92 @@
+//! Slopes of control points that are made where they are asked for: few of them act at a place of a curve, and what is
+//! integrated along it asks for one sum of all.
+
+use std::{fmt, ops::Range, sync::OnceLock};
+
+use glam::{DVec3, DVec4};
+
+use super::ListedSlopes;
+use crate::Grid;
+
+/// The slopes of a sum of control points, with a factor for each, by each of some variables.
+pub(crate) type SumsOfSlopes = dyn Fn(&[f64]) -> Vec<DVec3> + Send + Sync;
+
+/// Slopes of polynomial control points, by sums of them.
+pub(super) struct AskedSlopes {
+    /// By which variables, in order.
+    variables: Vec<usize>,
+    sums: Box<SumsOfSlopes>,
+    /// Those of each point, by each of the variables.
+    by_point: Vec<OnceLock<Vec<DVec3>>>,
+    /// All of them.
+    listed: OnceLock<ListedSlopes>,
+}
+
+impl fmt::Debug for AskedSlopes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("AskedSlopes").field("variables", &self.variables).finish_non_exhaustive()
+    }
+}
+
+impl AskedSlopes {
+    pub(super) fn new(n_points: usize, variables: Vec<usize>, sums: Box<SumsOfSlopes>) -> Self {
+        let by_point = std::iter::repeat_with(OnceLock::new).take(n_points).collect();
+        Self { variables, sums, by_point, listed: OnceLock::new() }
+    }
+
+    pub(super) fn is_fixed(&self) -> bool {
+        self.variables.is_empty()
+    }
+
+    /// The slopes of a point by each of the variables.
+    fn of_point(&self, point: usize) -> &[DVec3] {
+        self.by_point[point].get_or_init(|| {
+            let mut factors = vec![0.0; self.by_point.len()];
+            factors[point] = 1.0;
+            (self.sums)(&factors)
+        })
+    }
+
+    /// The slopes of all points.
+    pub(super) fn listed(&self) -> &ListedSlopes {
+        self.listed.get_or_init(|| {
+            let of = |idx: usize| {
+                let point = |point| self.of_point(point)[idx].extend(0.0);
+                (0..self.by_point.len()).map(point).collect()
+            };
+            let all = self.variables.iter().enumerate();
+            ListedSlopes::new(all.map(|(idx, &variable)| (variable, of(idx))).collect())
+        })
+    }
+
+    /// Adds the slopes by all variables of something with this gradient by the control points.
+    pub(super) fn add_through(&self, gradient: &[DVec4], all: &mut [f64]) {
+        for axis in 0..3 {
+            let factors: Vec<f64> = gradient.iter().map(|own| own[axis]).collect();
+            if factors.iter().all(|factor| factor.abs() <= 0.0) {
+                continue;
+            }
+            for (&variable, slope) in self.variables.iter().zip((self.sums)(&factors)) {
+                all[variable] += slope[axis];
+            }
+        }
+    }
+
+    /// Sums of the slopes of points in some ranges, with a row of factors for each and a sum for each column.
+    pub(super) fn sums(
+        &self,
+        acting: impl Iterator<Item = Range<usize>>,
+        factors: &Grid<f64>,
+    ) -> Vec<(usize, Vec<DVec4>)> {
+        let still = vec![DVec4::ZERO; factors.n_columns()];
+        let mut found: Vec<(usize, Vec<DVec4>)> =
+            self.variables.iter().map(|&variable| (variable, still.clone())).collect();
+        for (row, point) in acting.flatten().enumerate() {
+            for ((_, sums), slope) in found.iter_mut().zip(self.of_point(point)) {
+                let own = sums.iter_mut().zip(factors.row(row));
+                own.for_each(|(sum, factor)| *sum += slope.extend(0.0) * *factor);
+            }
+        }
+        found
+    }
+}
