@@ -4520,9 +4520,11 @@ def split(*args: Any, c: Any = None, t: Any = None, s: Any = None, u: Any = None
     Where cutters run is found completely: of planes and surfaces by their exact crossings, so that areas
     are those of the true curves. A part goes over the seam of a closed surface as over any other place.
     The order of the parts depends on the surface and the cutters alone; `trim` takes the part beside a point. A
-    cutter that misses the face or ends inside of it is an error. One that lies on the face, on its plane, cylinder,
-    cone, sphere or torus or as a part of its own surface, divides it by the border of what both have in common; one
-    that lies on all of it, and another surface that runs together with it, is an error.
+    cutter that misses the face, ends inside of it, or only touches it, in points or along a line that ends inside,
+    is an error; a line along which it touches the face from border to border, or around, divides it. A cutter that
+    lies on the face, on its plane, cylinder, cone, sphere or torus or as a part of its own surface, divides it by
+    the border of what both have in common; one that lies on all of it, and another surface that runs together with
+    it, is an error.
     :param s: The surface or face.
     :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
 
@@ -5059,8 +5061,9 @@ def trim(*args: Any, c: Any = None, range: Any = None, s: Any = None, u: Any = N
 
     `keep` is a point on the face, beside the cuts, or `"above"` or `"below"` where the cutter is a plane: above
     is where its normal points; or `"inside"` or `"outside"` where it is a solid. Where more than one part is on
-    that side, all of them are the answer, as a list; `none` where nothing is. A plane or solid that misses leaves all
-    of the face, or nothing. What lies on the border of the solid is inside: of a solid's own faces nothing is outside.
+    that side, all of them are the answer, as a list; `none` where nothing is. A plane or solid that misses or only
+    touches leaves all of the face, or nothing. What lies on the border of the solid is inside: of a solid's own faces
+    nothing is outside.
     :param s: The surface or face.
     :param by: A curve on it, a plane, a surface or face, a solid, or a list of them.
     :param keep: What stays.

@@ -4,6 +4,8 @@
 //! transposed equations tell how that grows with every right-hand side at once, and so with all points, whatever moves
 //! these: of A·P = Q and a sum g·P the growths are the solution of Aᵀ·λ = g.
 
+use std::sync::Arc;
+
 use glam::{DVec3, DVec4};
 
 use super::{
@@ -11,7 +13,12 @@ use super::{
     interpolate::{EndRow, FactoredEquations, end_derivative},
     moving::{MovingSpline, bessel_speeds},
 };
-use crate::{KnotVector, PointSlopes, bezier::blossom_factors, fit::equation::Equation};
+use crate::{
+    KnotVector, PointSlopes,
+    bezier::blossom_factors,
+    fit::equation::Equation,
+    varied::{AllSlopes, SlopeWays, are_asked_rather},
+};
 
 /// How parameters by a rule grow with their points.
 #[derive(Clone, Debug)]
@@ -59,9 +66,10 @@ impl LegGrowths {
 /// The slopes of the control points of a spline over the knots that stand twice inside, from those of its points: its
 /// parameters move with these.
 pub(super) fn spline_slopes_asked(
-    spline: MovingSpline<'static>,
+    spline: Arc<MovingSpline<'static>>,
     legs: LegGrowths,
     slopes: &PointSlopes,
+    all: Box<AllSlopes>,
 ) -> PointSlopes {
     let n_points = spline.by_knots.knots().n_points();
     let of = move |factors: &[f64]| {
@@ -70,16 +78,21 @@ pub(super) fn spline_slopes_asked(
         let steps = by_step.into_iter().zip(legs.legs.iter().copied()).collect();
         PointGrowths { by_value, steps }
     };
-    asked(slopes, n_points, of)
+    asked(slopes, n_points, of, all)
 }
 
 /// The slopes of the control points of a spline at parameters that stay, from those of its points; none where the
-/// equations are others than of values and of conditions at both ends.
+/// equations are others than of values and of conditions at both ends, or all slopes at once cost less.
 pub(super) fn fixed_slopes_asked(fit: &Interpolator, slopes: &PointSlopes) -> Option<PointSlopes> {
     let is_known =
         matches!(fit.equations, FactoredEquations::Values(_) | FactoredEquations::WithEnds(..));
-    let fit = is_known.then(|| fit.clone())?;
+    let fit = (is_known && are_asked_rather(slopes)).then(|| Arc::new(fit.clone()))?;
     let n_points = fit.knots.n_points();
+    let (given, forward) = (slopes.clone(), fit.clone());
+    let all = move || {
+        let own = |(_, own): &(usize, Vec<DVec4>)| forward.through(own).ok();
+        given.by_variable().iter().map(own).collect()
+    };
     let of = move |factors: &[f64]| {
         let (mut by_value, ends) = fit.transposed(factors.to_vec());
         for (is_last, (row, growth)) in [false, true].into_iter().zip(ends) {
@@ -87,7 +100,7 @@ pub(super) fn fixed_slopes_asked(fit: &Interpolator, slopes: &PointSlopes) -> Op
         }
         PointGrowths { by_value, steps: Vec::new() }
     };
-    Some(asked(slopes, n_points, of))
+    Some(asked(slopes, n_points, of, Box::new(all)))
 }
 
 /// How something grows with points: by a factor with each, and by a vector times how the step from each to the next
@@ -114,6 +127,7 @@ fn asked(
     slopes: &PointSlopes,
     n_points: usize,
     of: impl Fn(&[f64]) -> PointGrowths + Send + Sync + 'static,
+    all: Box<AllSlopes>,
 ) -> PointSlopes {
     let given: Vec<(usize, Vec<DVec3>)> = slopes
         .moving()
@@ -129,7 +143,8 @@ fn asked(
         given.iter().map(by_variable).collect()
     };
     let variables = slopes.moving().map(|(variable, ..)| variable).collect();
-    PointSlopes::asked(slopes.n_variables(), n_points, variables, Box::new(sums))
+    let ways = SlopeWays { sums: Box::new(sums), all };
+    PointSlopes::asked(slopes.n_variables(), n_points, variables, ways)
 }
 
 /// Adds what the right-hand side of an end's condition grows by with each value.
@@ -266,6 +281,8 @@ impl MovingSpline<'_> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use glam::{DVec3, DVec4};
 
     use super::{LegGrowths, fixed_slopes_asked, spline_slopes_asked};
@@ -317,6 +334,20 @@ mod tests {
         assert!(error < 1e-12 * size, "{error} of {size}");
     }
 
+    /// The slopes of each control point by a variable, asked for by itself.
+    fn one_by_one(slopes: &PointSlopes, variable: usize) -> Vec<DVec4> {
+        let n_points = slopes.n_points();
+        let of = |i: usize| {
+            let along = |axis: DVec4| {
+                let mut gradient = vec![DVec4::ZERO; n_points];
+                gradient[i] = axis;
+                slopes.through(&gradient)[variable]
+            };
+            DVec4::new(along(DVec4::X), along(DVec4::Y), along(DVec4::Z), 0.0)
+        };
+        (0..n_points).map(of).collect()
+    }
+
     #[test]
     fn control_points_of_moving_splines_grow_as_their_equations_say() {
         let (points, slopes) = (points(), slopes());
@@ -329,12 +360,13 @@ mod tests {
                 let spline = MovingSpline::new((&fit, ends), &parameters, &values, tangents);
                 let spline = spline.unwrap().unwrap();
                 let legs: LegGrowths = rule.leg_growths(&points).unwrap();
-                let found = spline_slopes_asked(spline.clone().into_owned(), legs, &slopes);
+                let owned = Arc::new(spline.clone().into_owned());
+                let found = spline_slopes_asked(owned, legs, &slopes, Box::new(|| None));
                 for (variable, own) in slopes.by_variable() {
                     let speeds = rule.speeds(&points, &parameters, own).unwrap();
                     let speeds = SplineSpeeds { parameters: &speeds, values: own, tangents };
                     let expected = spline.slopes(&[speeds]).unwrap().concat();
-                    are_near(&found.by_variable()[*variable].1, &expected);
+                    are_near(&one_by_one(&found, *variable), &expected);
                     // A sum of them all.
                     let factor = |i: usize| DVec4::new(1.0, -0.5, i as f64, 3.0);
                     let gradient: Vec<DVec4> = (0..expected.len()).map(factor).collect();
@@ -355,7 +387,9 @@ mod tests {
             let slopes = slopes();
             let found = fixed_slopes_asked(&fit, &slopes).unwrap();
             for (variable, own) in slopes.by_variable() {
-                are_near(&found.by_variable()[*variable].1, &fit.through(own).unwrap());
+                let expected = fit.through(own).unwrap();
+                are_near(&one_by_one(&found, *variable), &expected);
+                are_near(&found.by_variable()[*variable].1, &expected);
             }
         }
     }

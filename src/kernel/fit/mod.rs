@@ -3,7 +3,8 @@
 //! `parameters` says where on the curve each point is to lie; `equation` holds
 //! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
-//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point, `moving_surface` of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point,
+//! `varied_spline` the curves that vary so, `moving_surface` of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
@@ -26,6 +27,7 @@ mod spread;
 mod surface;
 mod thinning;
 mod through;
+mod varied_spline;
 mod within;
 
 pub use approximate::{approximate, approximate_within};
@@ -33,7 +35,7 @@ pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub(crate) use least::FitCondition;
-pub use moving::{interpolate_varied, interpolate_varied_ring};
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
+pub use varied_spline::{interpolate_varied, interpolate_varied_ring};
 pub use within::{Lines, columns_within, surface_within};

@@ -227,7 +227,7 @@ mod tests {
     fn transposed_equations_tell_how_sums_grow_with_right_hand_sides() {
         // With exchanges, and without.
         let row = |i: usize| {
-            let values = [0.1, 2.0 + i as f64, if i % 3 == 0 { 9.0 } else { 1.0 }, 0.3];
+            let values = [0.1, 2.0 + i as f64, if i.is_multiple_of(3) { 9.0 } else { 1.0 }, 0.3];
             let first = i.saturating_sub(2);
             Equation { first, values: values[..4.min(8 - first)].into() }
         };

@@ -206,7 +206,7 @@ where
             let values = self.moved(&out, times)?.1;
             let beyond = self.merit(&values);
             // Whatever is no number is not lower either.
-            if !(beyond <= least) {
+            if beyond.is_nan() || least < beyond {
                 return Ok(false);
             }
             least = beyond;

@@ -153,15 +153,21 @@ fn nearest_place(curve: &NurbsCurve, shift: usize, beside: &NurbsCurve) -> f64 {
         let points = curve.sample(N_PLACES + 1);
         points[..N_PLACES].iter().sum::<DVec3>() / N_PLACES as f64
     };
-    let target = beside.start() - centre(beside) + centre(curve);
+    let own_centre = centre(curve);
+    let target = beside.start() - centre(beside) + own_centre;
+    // How fast the distance changes, and how fast it could.
     let slope = |t: f64| {
         let derivatives = curve.derivatives_at(t, 1);
-        (derivatives[0] - target).dot(derivatives[1])
+        let fastest = target.distance(own_centre) * derivatives[1].length();
+        ((derivatives[0] - target).dot(derivatives[1]), TURN_RELATIVE * fastest)
     };
+    let falls = |(slope, room): (f64, f64)| slope < -room;
+    let rises = |(slope, room): (f64, f64)| room < slope;
     let at = |step: f64| domain.at((step / N_PLACES as f64).clamp(0.0, 1.0));
     let around = [at(shift as f64 - 2.0), at(shift as f64 + 2.0)];
-    let [low, high] = match slope(around[0]) < 0.0 && 0.0 < slope(around[1]) {
-        true => bisected(around, BISECTIONS, |t| slope(t) < 0.0),
+    // Where all places are as near, as those of a circle to a place on its axis, rounding is not to choose.
+    let [low, high] = match falls(slope(around[0])) && rises(slope(around[1])) {
+        true => bisected(around, BISECTIONS, |t| slope(t).0 < 0.0),
         false => [at(shift as f64); 2],
     };
     let t = 0.5 * (low + high);

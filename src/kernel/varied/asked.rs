@@ -5,17 +5,35 @@ use std::{fmt, ops::Range, sync::OnceLock};
 
 use glam::{DVec3, DVec4};
 
-use super::ListedSlopes;
-use crate::Grid;
+use super::{ListedSlopes, PointSlopes};
+use crate::{Grid, work};
 
 /// The slopes of a sum of control points, with a factor for each, by each of some variables.
 pub(crate) type SumsOfSlopes = dyn Fn(&[f64]) -> Vec<DVec3> + Send + Sync;
+
+/// The slopes of all control points at once, by each of the variables; none where work that was ended left them unknown.
+pub(crate) type AllSlopes = dyn Fn() -> Option<Vec<Vec<DVec4>>> + Send + Sync;
+
+/// With so many points for each variable, or more, all slopes cost less at once than those of a few places one by one.
+const MANY_POINTS: usize = 4;
+
+/// Whether slopes of so many variables that control points are asked for cost less where they are asked for.
+pub(crate) fn are_asked_rather(slopes: &PointSlopes) -> bool {
+    slopes.n_points() < MANY_POINTS * slopes.moving().count()
+}
+
+/// Two ways to the same slopes.
+pub(crate) struct SlopeWays {
+    /// For few control points, or a sum of all.
+    pub(crate) sums: Box<SumsOfSlopes>,
+    pub(crate) all: Box<AllSlopes>,
+}
 
 /// Slopes of polynomial control points, by sums of them.
 pub(super) struct AskedSlopes {
     /// By which variables, in order.
     variables: Vec<usize>,
-    sums: Box<SumsOfSlopes>,
+    ways: SlopeWays,
     /// Those of each point, by each of the variables.
     by_point: Vec<OnceLock<Vec<DVec3>>>,
     /// All of them.
@@ -29,33 +47,33 @@ impl fmt::Debug for AskedSlopes {
 }
 
 impl AskedSlopes {
-    pub(super) fn new(n_points: usize, variables: Vec<usize>, sums: Box<SumsOfSlopes>) -> Self {
+    pub(super) fn new(n_points: usize, variables: Vec<usize>, ways: SlopeWays) -> Self {
         let by_point = std::iter::repeat_with(OnceLock::new).take(n_points).collect();
-        Self { variables, sums, by_point, listed: OnceLock::new() }
+        Self { variables, ways, by_point, listed: OnceLock::new() }
     }
 
     pub(super) fn is_fixed(&self) -> bool {
         self.variables.is_empty()
     }
 
-    /// The slopes of a point by each of the variables.
+    /// The slopes of a point by each of the variables; zero where work was ended.
     fn of_point(&self, point: usize) -> &[DVec3] {
         self.by_point[point].get_or_init(|| {
+            if !work::goes_on(1) {
+                return vec![DVec3::ZERO; self.variables.len()];
+            }
             let mut factors = vec![0.0; self.by_point.len()];
             factors[point] = 1.0;
-            (self.sums)(&factors)
+            (self.ways.sums)(&factors)
         })
     }
 
-    /// The slopes of all points.
+    /// The slopes of all points; zero where work was ended.
     pub(super) fn listed(&self) -> &ListedSlopes {
         self.listed.get_or_init(|| {
-            let of = |idx: usize| {
-                let point = |point| self.of_point(point)[idx].extend(0.0);
-                (0..self.by_point.len()).map(point).collect()
-            };
-            let all = self.variables.iter().enumerate();
-            ListedSlopes::new(all.map(|(idx, &variable)| (variable, of(idx))).collect())
+            let still = || vec![vec![DVec4::ZERO; self.by_point.len()]; self.variables.len()];
+            let all = (self.ways.all)().unwrap_or_else(still);
+            ListedSlopes::new(self.variables.iter().copied().zip(all).collect())
         })
     }
 
@@ -66,7 +84,7 @@ impl AskedSlopes {
             if factors.iter().all(|factor| factor.abs() <= 0.0) {
                 continue;
             }
-            for (&variable, slope) in self.variables.iter().zip((self.sums)(&factors)) {
+            for (&variable, slope) in self.variables.iter().zip((self.ways.sums)(&factors)) {
                 all[variable] += slope[axis];
             }
         }

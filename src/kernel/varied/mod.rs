@@ -27,7 +27,7 @@ use glam::{DVec3, DVec4};
 use self::asked::AskedSlopes;
 use super::{CountError, GeomError, Grid, Jet};
 
-pub(crate) use asked::SumsOfSlopes;
+pub(crate) use asked::{AllSlopes, SlopeWays, are_asked_rather};
 pub use body::RegionWay;
 pub use border::VariedRegion;
 pub use closed::stay_closed;
@@ -122,15 +122,14 @@ impl PointSlopes {
         Ok(Self { n_variables, n_points, form })
     }
 
-    /// The slopes of so many points that `sums` tells by sums of them: with a factor for each point, those by each of some
-    /// variables.
+    /// The slopes of so many points by each of some variables, which are made when they are asked for.
     pub(crate) fn asked(
         n_variables: usize,
         n_points: usize,
         variables: Vec<usize>,
-        sums: Box<SumsOfSlopes>,
+        ways: SlopeWays,
     ) -> Self {
-        let asked = AskedSlopes::new(n_points, variables, sums);
+        let asked = AskedSlopes::new(n_points, variables, ways);
         Self { n_variables, n_points, form: SlopeForm::Asked(Arc::new(asked)) }
     }
 

@@ -145,8 +145,8 @@ fn value_at(
             Some(end) if unknowns::is_without_value(&found) => {
                 let place = range.place_text(at);
                 Box::new(found.hint(match end {
-                    0 => format!("the range begins where the function has no value: let `within` begin above {place}"),
-                    _ => format!("the range ends where the function has no value: let `within` end below {place}"),
+                    0 => format!("the function has no value at {place}, where the range begins: let `within` begin where it has one"),
+                    _ => format!("the function has no value at {place}, where the range ends: let `within` end where it has one"),
                 }))
             }
             _ => found,
