@@ -17,7 +17,7 @@ use crate::{
     KnotVector, PointSlopes,
     bezier::blossom_factors,
     fit::equation::Equation,
-    varied::{AllSlopes, SlopeWays, are_asked_rather},
+    varied::{AllSlopes, SlopeWays},
 };
 
 /// How parameters by a rule grow with their points.
@@ -86,7 +86,7 @@ pub(super) fn spline_slopes_asked(
 pub(super) fn fixed_slopes_asked(fit: &Interpolator, slopes: &PointSlopes) -> Option<PointSlopes> {
     let is_known =
         matches!(fit.equations, FactoredEquations::Values(_) | FactoredEquations::WithEnds(..));
-    let fit = (is_known && are_asked_rather(slopes)).then(|| Arc::new(fit.clone()))?;
+    let fit = (is_known && slopes.are_asked_rather()).then(|| Arc::new(fit.clone()))?;
     let n_points = fit.knots.n_points();
     let (given, forward) = (slopes.clone(), fit.clone());
     let all = move || {

@@ -10,10 +10,7 @@ use super::{
     interpolate::Ends,
     moving::{MovingSpline, SplineSpeeds, derivative},
 };
-use crate::{
-    GeomError, NurbsCurve, PointSlopes, VariedCurve,
-    varied::{are_asked_rather, knots::with_knots_twice},
-};
+use crate::{GeomError, NurbsCurve, PointSlopes, VariedCurve, varied::knots::with_knots_twice};
 
 /// The degree of closed splines whose knots may move.
 const CUBIC: usize = 3;
@@ -52,7 +49,7 @@ pub fn interpolate_varied(
     };
     let curve = fit.curve(points)?;
     let Some(legs) = rule.leg_growths(points) else { return Ok(None) };
-    if !are_asked_rather(slopes) {
+    if !slopes.are_asked_rather() {
         let Some(all) = spline_slopes(&spline, rule, points, slopes)? else { return Ok(None) };
         let variables = slopes.by_variable().iter().map(|(variable, _)| *variable);
         let by_variable = variables.zip(all).collect();

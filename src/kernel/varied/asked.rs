@@ -5,7 +5,7 @@ use std::{fmt, ops::Range, sync::OnceLock};
 
 use glam::{DVec3, DVec4};
 
-use super::{ListedSlopes, PointSlopes};
+use super::listed::ListedSlopes;
 use crate::{Grid, work};
 
 /// The slopes of a sum of control points, with a factor for each, by each of some variables.
@@ -13,14 +13,6 @@ pub(crate) type SumsOfSlopes = dyn Fn(&[f64]) -> Vec<DVec3> + Send + Sync;
 
 /// The slopes of all control points at once, by each of the variables; none where work that was ended left them unknown.
 pub(crate) type AllSlopes = dyn Fn() -> Option<Vec<Vec<DVec4>>> + Send + Sync;
-
-/// With so many points for each variable, or more, all slopes cost less at once than those of a few places one by one.
-const MANY_POINTS: usize = 4;
-
-/// Whether slopes of so many variables that control points are asked for cost less where they are asked for.
-pub(crate) fn are_asked_rather(slopes: &PointSlopes) -> bool {
-    slopes.n_points() < MANY_POINTS * slopes.moving().count()
-}
 
 /// Two ways to the same slopes.
 pub(crate) struct SlopeWays {

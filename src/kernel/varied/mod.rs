@@ -15,6 +15,7 @@ mod flux;
 mod inertia;
 pub(crate) mod knots;
 mod length;
+mod listed;
 mod orders;
 mod solid;
 mod surface;
@@ -24,10 +25,10 @@ use std::{ops::Range, sync::Arc};
 
 use glam::{DVec3, DVec4};
 
-use self::asked::AskedSlopes;
+use self::{asked::AskedSlopes, listed::ListedSlopes};
 use super::{CountError, GeomError, Grid, Jet};
 
-pub(crate) use asked::{AllSlopes, SlopeWays, are_asked_rather};
+pub(crate) use asked::{AllSlopes, SlopeWays};
 pub use body::RegionWay;
 pub use border::VariedRegion;
 pub use closed::stay_closed;
@@ -36,6 +37,9 @@ pub use flux::SurfaceIntegral;
 pub use solid::VariedSolid;
 pub use surface::VariedSurface;
 pub use wall::VariedWall;
+
+/// With so many points for each variable, or more, all slopes cost less at once than those of a few places one by one.
+const MANY_POINTS: usize = 4;
 
 /// The slopes of homogeneous control points by several variables: listed, or made of each point when it is asked for.
 /// Invariant: as many for every variable; those that are listed are finite.
@@ -63,31 +67,6 @@ enum SlopeForm {
     Listed(ListedSlopes),
     /// Those of a point when it is asked for.
     Asked(Arc<AskedSlopes>),
-}
-
-/// Slopes by variables.
-#[derive(Clone, Debug, Default)]
-struct ListedSlopes {
-    /// Those that are not all zero, with the index of the variable, in order.
-    by_variable: Vec<(usize, Vec<DVec4>)>,
-    /// For each of these, from which point on up to which one they are not zero.
-    moving: Vec<Range<usize>>,
-}
-
-impl ListedSlopes {
-    fn new(by_variable: Vec<(usize, Vec<DVec4>)>) -> Self {
-        let (by_variable, moving) = by_variable
-            .into_iter()
-            .filter_map(|own| nonzero(&own.1).map(|range| (own, range)))
-            .unzip();
-        Self { by_variable, moving }
-    }
-
-    /// Each variable with the points that it moves, and their slopes.
-    fn moving(&self) -> impl Iterator<Item = (usize, Range<usize>, &[DVec4])> {
-        let pairs = self.by_variable.iter().zip(&self.moving);
-        pairs.map(|((variable, slopes), moving)| (*variable, moving.clone(), &slopes[..]))
-    }
 }
 
 /// By the same slopes.
@@ -160,6 +139,11 @@ impl PointSlopes {
     /// Each variable that moves points with the range of these, and the slopes of all points by it.
     pub(crate) fn moving(&self) -> impl Iterator<Item = (usize, Range<usize>, &[DVec4])> {
         self.listed().moving()
+    }
+
+    /// Whether slopes of so many variables that further points are made of cost less one by one, where they are asked for.
+    pub(crate) fn are_asked_rather(&self) -> bool {
+        self.n_points < MANY_POINTS * self.moving().count()
     }
 
     /// Whether the points depend on no variable.
@@ -286,13 +270,6 @@ impl CurvePoint {
         let velocity = (along.truncate() - place * along.w) / value.w;
         Self { value, along, place, velocity }
     }
-}
-
-/// From which slope on up to which one they are not zero; none where all are.
-fn nonzero(slopes: &[DVec4]) -> Option<Range<usize>> {
-    let moves = |slope: &DVec4| *slope != DVec4::ZERO;
-    let first = slopes.iter().position(moves)?;
-    Some(first..1 + slopes.iter().rposition(moves)?)
 }
 
 /// The binomial coefficients of a power.
