@@ -169,12 +169,19 @@ fn triangles_face_their_normals() {
     check_facing(&tessellate(&ball, 1e-2, MOST).unwrap());
 }
 
-#[test]
-fn a_flat_ring_does_not_fold_where_the_tolerance_is_wider() {
-    let radius = NurbsCurve::line(DVec3::X * 1.9, DVec3::X * 2.0).unwrap();
-    let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
-    let ring = NurbsSurface::revolved(&radius, axis, 17.0 / 18.0 * PI).unwrap();
-    check_facing(&tessellate(&ring, 0.3, MOST).unwrap());
+proptest! {
+    /// However much wider than the ring the tolerance is.
+    #[test]
+    fn a_flat_ring_does_not_fold(
+        inner in 0.1..1.99_f64,
+        sweep in 0.1..6.2_f64,
+        tolerance in 0.01..2.0_f64,
+    ) {
+        let radius = NurbsCurve::line(DVec3::X * inner, DVec3::X * 2.0).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        let ring = NurbsSurface::revolved(&radius, axis, sweep).unwrap();
+        check_facing(&tessellate(&ring, tolerance, MOST).unwrap());
+    }
 }
 
 #[test]

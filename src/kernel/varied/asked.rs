@@ -11,7 +11,7 @@ use crate::{Grid, work};
 /// The slopes of a sum of control points, with a factor for each, by each of some variables.
 pub(crate) type SumsOfSlopes = dyn Fn(&[f64]) -> Vec<DVec3> + Send + Sync;
 
-/// The slopes of all control points at once, by each of the variables; none where work that was ended left them unknown.
+/// The slopes of all control points at once, by each of the variables; none where they are not found so.
 pub(crate) type AllSlopes = dyn Fn() -> Option<Vec<Vec<DVec4>>> + Send + Sync;
 
 /// Two ways to the same slopes.
@@ -63,8 +63,12 @@ impl AskedSlopes {
     /// The slopes of all points; zero where work was ended.
     pub(super) fn listed(&self) -> &ListedSlopes {
         self.listed.get_or_init(|| {
-            let still = || vec![vec![DVec4::ZERO; self.by_point.len()]; self.variables.len()];
-            let all = (self.ways.all)().unwrap_or_else(still);
+            let of = |idx: usize| {
+                let point = |point| self.of_point(point)[idx].extend(0.0);
+                (0..self.by_point.len()).map(point).collect()
+            };
+            let one_by_one = || (0..self.variables.len()).map(of).collect();
+            let all = (self.ways.all)().unwrap_or_else(one_by_one);
             ListedSlopes::new(self.variables.iter().copied().zip(all).collect())
         })
     }
