@@ -13,7 +13,7 @@ fi
 rm -rf "$out"
 mkdir -p "$out/gallery"
 esbuild=../node_modules/.bin/esbuild
-for entry in main:app worker:worker; do
+for entry in begin:begin main:app worker:worker; do
     "$esbuild" "src/${entry%:*}.ts" --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=eof \
         --log-level=warning --outfile="$out/${entry#*:}.js"
 done

@@ -25,7 +25,7 @@ const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1",
 /** Pixels that a key moves the model by. */
 const STEP = 40;
 
-/** Milliseconds after which the panels are there without a picture too. */
+/** Milliseconds after which what stands around the picture is there without one too. */
 const UNVEILED = 1000;
 
 export class App {
@@ -34,6 +34,8 @@ export class App {
   readonly stage: Stage;
   readonly canvas = el("canvas", { class: "canvas", "aria-label": "The model", tabindex: "0" });
   readonly tree: TreePanel;
+  /** Resolves once the first picture is there, or has been waited for long enough. */
+  readonly shown: Promise<void>;
   private readonly help: HTMLDialogElement;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private hovering = 0;
@@ -67,22 +69,20 @@ export class App {
       claims.prints.root,
       claims.output.root,
     );
-    this.view.append(
-      overlay(doc, stage, settings),
-      // What stands before the picture shares its room, so that nothing covers anything else.
-      el(
-        "div",
-        { class: "front" },
-        el("div", { class: "front-top" }, legend(doc, stage, settings, deviation), this.greeting(), triad(stage)),
-        this.toast(),
-        el("div", { class: "front-foot" }, scaleBar(doc, stage, settings), combScale(doc, stage, settings), stripesCaption(stage, settings)),
-        diagnosticsPanel(doc),
-      ),
+    // What stands before the picture shares its room, so that nothing covers anything else.
+    const front = el(
+      "div",
+      { class: "front" },
+      el("div", { class: "front-top" }, legend(doc, stage, settings, deviation), this.greeting(), triad(stage)),
+      this.toast(),
+      el("div", { class: "front-foot" }, scaleBar(doc, stage, settings), combScale(doc, stage, settings), stripesCaption(stage, settings)),
+      diagnosticsPanel(doc),
     );
+    this.view.append(overlay(doc, stage, settings), front);
     const work = el("div", { class: "work" }, left, this.view, right);
     host.append(toolbar.root, work, this.help);
     new ResizeObserver(() => settings.suit(work.clientWidth)).observe(work);
-    this.unveil(left, right);
+    this.shown = this.unveil(toolbar.root, left, right, front);
     settings.watch(({ leftPanel, rightPanel }) => {
       left.hidden = !leftPanel;
       right.hidden = !rightPanel;
@@ -166,16 +166,19 @@ export class App {
     });
   }
 
-  /** Shows the panels behind the first picture, which would wait until they are painted. */
-  private unveil(...panels: HTMLElement[]): void {
-    const show = (isShown: boolean): void => panels.forEach((panel) => (panel.style.visibility = isShown ? "" : "hidden"));
-    const first = (): void => {
-      this.stage.afterFrame.delete(first);
-      show(true);
-    };
+  /** Shows these after the first picture, which would wait until they are painted. */
+  private async unveil(...veiled: HTMLElement[]): Promise<void> {
+    const show = (isShown: boolean): void => veiled.forEach((one) => (one.style.visibility = isShown ? "" : "hidden"));
     show(false);
-    this.stage.afterFrame.add(first);
-    setTimeout(first, UNVEILED);
+    await new Promise<void>((done) => {
+      const first = (): void => {
+        this.stage.afterFrame.delete(first);
+        requestAnimationFrame(() => done());
+      };
+      this.stage.afterFrame.add(first);
+      setTimeout(done, UNVEILED);
+    });
+    show(true);
   }
 
   /** Puts the theme onto the page and the picture. */

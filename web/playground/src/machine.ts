@@ -1,5 +1,7 @@
 // A worker with the module: asked from here, ended when it takes too long, and missed when it dies.
 
+import { begin } from "./begin";
+
 export type ToWorker =
   | { module: WebAssembly.Module; process: number }
   | { id: number; head: object; parts: Uint8Array[] };
@@ -24,14 +26,11 @@ interface Waiting {
   fail: (why: Error) => void;
 }
 
-/** Workers that nobody has yet: a browser begins them while the page is built. */
-const begun: Worker[] = [];
-
 /** Tells the keys of each worker's items from those of the others. */
 let n_workers = 0;
 
 export class Machine {
-  private readonly worker = begun.pop() ?? new Worker("worker.js");
+  private readonly worker = begin().workers.pop() ?? new Worker("worker.js");
   private readonly waiting = new Map<number, Waiting>();
   private n_calls = 0;
   private ending: Ended | null = null;
@@ -87,19 +86,4 @@ export class Machine {
     if ("refusal" in answer) waiting?.fail(new Refused(answer.refusal));
     else waiting?.done(answer);
   }
-}
-
-/** Begins so many workers for those that will want them. */
-export function beginWorkers(n: number): void {
-  for (let i = 0; i < n; i++) begun.push(new Worker("worker.js"));
-}
-
-/** Fetches and compiles the module; it lies compressed beside the page, whatever its server does. */
-export async function fetchModule(): Promise<WebAssembly.Module> {
-  const response = await fetch("virote.wasm.gz");
-  if (!response.ok) throw new Error(`virote.wasm.gz: ${response.status} ${response.statusText}`);
-  // Some servers say themselves that it is compressed; then the browser has unpacked it already.
-  const isUnpacked = response.headers.get("Content-Encoding") !== null;
-  const body = isUnpacked ? response.body! : response.body!.pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compileStreaming(new Response(body, { headers: { "Content-Type": "application/wasm" } }));
 }

@@ -3,13 +3,13 @@
 import { App } from "../../src/app";
 import type { Command } from "../../src/commands";
 import { button, copy, el } from "../../src/panels/dom";
+import { begin } from "./begin";
 import { Editor } from "./editor/editor";
 import { Engine, type Script } from "./engine";
 import { type FileActions, fileMenu } from "./fileMenu";
 import { Folder, isScript } from "./folder";
 import { gallery } from "./gallery";
 import { base64, fragmentOf, type Shared, sharedIn } from "./link";
-import { beginWorkers, fetchModule } from "./machine";
 import { split } from "./split";
 import { WorkerDoor } from "./workerDoor";
 import { Writer } from "./writer";
@@ -37,9 +37,12 @@ const HEAD_START = 500;
 export class Playground {
   readonly editor: Editor;
   readonly engine: Engine;
-  private readonly module = fetchModule();
+  private readonly module = begin().module;
   private readonly viewer = el("div", { id: "app" });
   private app: App | null = null;
+  private show: () => void = () => {};
+  /** Resolves once the first picture is there; until then the editor leaves it to itself, as far as it can. */
+  private readonly shown = new Promise<void>((done) => (this.show = done));
   /** What is to be told once there is a viewer that tells it. */
   private untold: { message: string; isTrouble: boolean }[] = [];
   private readonly folder = new Folder();
@@ -56,19 +59,17 @@ export class Playground {
 
   /** `failed` is called when there is no interpreter. */
   constructor(host: HTMLElement, failed: (trouble: unknown) => void) {
-    // One that evaluates, and one that answers the editor.
-    beginWorkers(2);
     this.module.catch(failed);
     const files = (): Iterable<readonly [string, Uint8Array]> => this.folder.files();
     this.engine = new Engine(this.module, files);
-    this.writer = new Writer(this.module, this.engine, files);
+    this.writer = new Writer(this.module, this.engine, files, this.shown);
     const pane = el("section", { class: "editor", "aria-label": "Script" });
     pane.append(this.bar());
     const text = el("div", { class: "editor-text" });
     pane.append(text);
     host.append(split(pane, this.viewer));
     this.editor = new Editor(text, this.writer.ask, (next) => this.changed(next));
-    this.engine.findings.follow(({ text: of, all, state }) => this.editor.mark(of, all, state));
+    this.engine.findings.follow(({ text: of, all, state }) => void this.shown.then(() => this.editor.mark(of, all, state)));
     this.engine.news.follow((news) => this.tell(news, true));
     this.engine.state.follow(() => this.followAddress());
     this.takeDrops();
@@ -87,6 +88,7 @@ export class Playground {
     if (app.settings.isFirstVisit && this.viewer.clientWidth < ROOM_FOR_PANELS) app.settings.put({ rightPanel: false });
     app.doc.selection.follow((paths) => this.reveal(app, paths));
     this.app = app;
+    void app.shown.then(this.show);
     for (const { message, isTrouble } of this.untold) app.doc.tell(message, isTrouble);
     this.untold = [];
     return app;

@@ -11,10 +11,12 @@ export class Writer {
   private machine: Machine | null = null;
   private known = "";
 
+  /** Its worker is begun after what would take longer beside it. */
   constructor(
     private readonly module: Promise<WebAssembly.Module>,
     private readonly engine: Engine,
     private readonly files: () => Iterable<readonly [string, Uint8Array]>,
+    private readonly after: Promise<void>,
   ) {}
 
   /** Begins anew: files have changed, or another script is open. */
@@ -29,6 +31,7 @@ export class Writer {
       const answer = await this.engine.askOfText<T>(text, head);
       if (answer) return answer.value;
     }
+    if (!this.machine) await this.after;
     const machine = this.machine ?? this.begin();
     if (this.known !== text) void machine.ask({ call: "edit", text }).catch(() => {});
     this.known = text;
