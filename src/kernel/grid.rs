@@ -91,6 +91,7 @@ impl<T> Grid<T> {
     }
 
     /// Row `i`, the values along v at one place along u.
+    #[inline]
     #[must_use]
     pub fn row(&self, i: usize) -> &[T] {
         &self.values[i * self.n_columns..][..self.n_columns]
@@ -117,6 +118,7 @@ impl<T> Grid<T> {
 
 impl<T: Copy> Grid<T> {
     /// The value in row `i` and column `j`.
+    #[inline]
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> T {
         self.row(i)[j]
