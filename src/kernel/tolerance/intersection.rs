@@ -102,6 +102,12 @@ pub(crate) const OVERSHOOT_RELATIVE: f64 = 0.1;
 /// Larger leaves less of the tolerance to the proof; smaller takes more pieces.
 pub(crate) const EDGE_SHARE: f64 = 0.125;
 
+/// How near splines along plane rims are to these, as a fraction of the size of a face: the areas within differ by no more
+/// than that times their border.
+///
+/// Larger shows in areas and volumes; smaller takes more pieces, as its sixth root.
+pub(crate) const RIM_RELATIVE: f64 = 1e-10;
+
 /// Part of the tolerance within which the end of a curve is on the border of a surface.
 ///
 /// Larger moves ends that stop short of a border; smaller leaves a crumb between both.
