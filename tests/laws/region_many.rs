@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use proptest::{array::uniform8, prop_assert, prop_assert_eq, proptest};
 use virote_kernel::{
-    CircleForm, Frame, GeomError, NurbsCurve, PictureError, Region, RegionSide, Tolerance,
+    CircleForm, CornerStyle, Frame, GeomError, NurbsCurve, PictureError, Region, RegionSide,
+    Tolerance,
 };
 
 use crate::crossing_turned::fractions;
@@ -92,6 +93,25 @@ fn holes_of_a_plate_are_told_from_holes_in_holes() {
     let refused = Region::new(&plate, &holes, TOLERANCE);
     let (index, other) = (holes.len(), 7 * 12 + 5 + 1);
     assert_eq!(refused, Err(GeomError::Picture(PictureError::HoleInHole { index, other })));
+}
+
+#[test]
+fn an_offset_by_less_than_the_tolerance_is_one_up_to_rounding() {
+    let disc = Region::new(&circle(0.3, -0.2, 1.0), &[], TOLERANCE).unwrap();
+    let square = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(0.0, 0.0)];
+    let square = Region::new(&NurbsCurve::polyline(&square).unwrap(), &[], TOLERANCE).unwrap();
+    for by in [1e-9, 1e-7, 5e-7, 1e-6, 3e-6, 1e-5] {
+        let area = |region: &Region, by: f64| {
+            let parts = region.offset(by, CornerStyle::Round, TOLERANCE).unwrap();
+            parts.iter().map(Region::area).sum::<f64>()
+        };
+        let (grown, shrunk) = (1.0 + by, 1.0 - by);
+        assert!((area(&disc, by) - PI * grown * grown).abs() < 1e-14, "{by}");
+        assert!((area(&disc, -by) - PI * shrunk * shrunk).abs() < 1e-14, "{by}");
+        assert!((area(&square, by) - (1.0 + 4.0 * by + PI * by * by)).abs() < 1e-14, "{by}");
+        let inner = 1.0 - 2.0 * by;
+        assert!((area(&square, -by) - inner * inner).abs() < 1e-14, "{by}");
+    }
 }
 
 /// The area of what discs cover together, by Green's theorem over those parts of each circle that no other disc covers.

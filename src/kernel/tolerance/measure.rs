@@ -13,6 +13,11 @@ pub const LENGTH_RELATIVE: f64 = 1e-13;
 /// of the sum.
 pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 
+/// The offset of a region by less than this part of its size leaves it as it is.
+///
+/// Larger loses small offsets of large regions; smaller asks for parts of sides whose parameters are rounding.
+pub(crate) const OFFSET_RELATIVE: f64 = 1e-10;
+
 /// Sizes from the origin beyond which what is asked of a shape is affected by the last bits of its coordinates.
 ///
 /// Larger leaves integrals of what is that far to be divided for digits that nobody has; smaller moves the planes of
