@@ -13,13 +13,13 @@ use super::{
     Arrangement, PlaneEdge,
     ray::{HALVINGS, Ray, pieces_of},
 };
-use crate::{Bounds, box_tree::BoxTree, ceiling::RAY_STRIPS, curve::part::CurvePart, homogeneous};
+use crate::{
+    Bounds, box_tree::BoxTree, ceiling::RAY_STRIPS, curve::part::CurvePart, homogeneous,
+    tolerance::RAY_JOINT_SHARE,
+};
 
 /// Where on an edge a ray may begin, by fractions.
 const STARTS: [f64; 7] = [0.5, 0.382, 0.618, 0.25, 0.75, 0.1, 0.9];
-
-/// The fraction of a piece within which a ray begins in its end instead.
-const NEAR_JOINT: f64 = 1e-6;
 
 /// A side of an edge, seen along it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,8 +148,8 @@ impl<'a> RaySearch<'a> {
         let number = own.partition_point(|piece| piece.part.interval.end() <= t);
         let at = own.get(number)?.part.interval.fraction_of(t);
         // A part that is rounding would tell nothing.
-        if at < NEAR_JOINT || 1.0 - NEAR_JOINT < at {
-            let (before, behind) = own.split_at(number + usize::from(NEAR_JOINT < at));
+        if at < RAY_JOINT_SHARE || 1.0 - RAY_JOINT_SHARE < at {
+            let (before, behind) = own.split_at(number + usize::from(RAY_JOINT_SHARE < at));
             let [(last, before), (first, behind)] = [before.split_last()?, behind.split_first()?];
             let tangent = direction_at_start(&first.part)?;
             let before =

@@ -19,7 +19,7 @@ use crate::{
     Tolerance,
     arrange::{self, Apart, Arrangement, Ring, winding_about},
     frame::{norm, unit},
-    tolerance::{LAST_BIT, OFFSET_RELATIVE},
+    tolerance::{LAST_BIT, OFFSET_RELATIVE, OFFSET_SHARE},
 };
 
 /// A mitred corner is no further than so many times the distance from the old one.
@@ -28,9 +28,6 @@ const LONGEST_MITRE: f64 = 10.0;
 /// Tolerances by which a part of the new border may be nearer to the old one than the distance: its own
 /// deviation, and that of where it is cut.
 const SLACK: f64 = 4.0;
-
-/// The share of the distance that places are one within at most.
-const NEAR_SHARE: f64 = 1.0 / 16.0;
 
 /// Last bits of its coordinates by which a region is as it was.
 const ROUNDINGS: f64 = 1024.0;
@@ -178,7 +175,7 @@ impl Region {
         if distance.abs() <= (OFFSET_RELATIVE * size).max(ROUNDINGS * LAST_BIT * magnitude) {
             return Ok(vec![self.clone()]);
         }
-        let near = tolerance.distance_for(size).min(NEAR_SHARE * distance.abs());
+        let near = tolerance.distance_for(size).min(OFFSET_SHARE * distance.abs());
         let tolerance = tolerance.with_distance(near);
         let mut front = Front::default();
         for border in &self.loops {

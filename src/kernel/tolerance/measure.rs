@@ -18,6 +18,12 @@ pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 /// Larger loses small offsets of large regions; smaller asks for parts of sides whose parameters are rounding.
 pub(crate) const OFFSET_RELATIVE: f64 = 1e-10;
 
+/// The share of the distance of an offset that places of its border are one within, where that is less than the
+/// tolerance.
+///
+/// Larger takes what the offset tears open for one; smaller asks for arcs that are nearer than anybody needs.
+pub(crate) const OFFSET_SHARE: f64 = 0.0625;
+
 /// Sizes from the origin beyond which what is asked of a shape is affected by the last bits of its coordinates.
 ///
 /// Larger leaves integrals of what is that far to be divided for digits that nobody has; smaller moves the planes of

@@ -10,11 +10,14 @@ use smallvec::SmallVec;
 
 use super::meeting::{CurveIntersection, IntersectionSearch};
 use crate::{
-    Interval, bernstein::product, bezier, curve::NurbsCurve, homogeneous, sorting::sort_by,
+    Interval,
+    bernstein::product,
+    bezier,
+    curve::NurbsCurve,
+    homogeneous,
+    sorting::sort_by,
+    tolerance::{CIRCLE_JOINT_RELATIVE, CIRCLE_SHARE},
 };
-
-/// Part of the tolerance within which a curve must be a circle.
-const ROUND_SHARE: f64 = 1.0 / 128.0;
 
 /// The least sine of the angle at which circles cross clearly.
 const CLEAR_SINE: f64 = 0.1;
@@ -24,9 +27,6 @@ const CLEARANCE: f64 = 64.0;
 
 /// Pieces of a curve that is looked at, whether it is a circle.
 const MOST_PIECES: usize = 16;
-
-/// The part of the square of a radius within which a place is at a joint of two pieces.
-const AT_JOINT: f64 = 1e-9;
 
 /// Roundings beyond the tolerance at which circles are apart for certain.
 const APART_ROUNDINGS: f64 = 16.0;
@@ -63,7 +63,7 @@ impl NurbsCurve {
         let [a, b] = [CircularArc::of(self, tolerance)?, CircularArc::of(other, tolerance)?];
         let way = b.center - a.center;
         let distance = way.length();
-        let slack = (1.0 + 4.0 * ROUND_SHARE) * tolerance + APART_ROUNDINGS * search.rounding;
+        let slack = (1.0 + 4.0 * CIRCLE_SHARE) * tolerance + APART_ROUNDINGS * search.rounding;
         let (sum, difference) = (a.radius + b.radius, (a.radius - b.radius).abs());
         if sum + slack < distance || distance + slack < difference {
             return Some(Vec::new());
@@ -115,7 +115,7 @@ impl CircularArc {
         let pieces: Option<SmallVec<[CircularPiece; 4]>> =
             curve.knots().spans().map(piece).collect();
         let pieces = pieces?;
-        let allowed = ROUND_SHARE * tolerance;
+        let allowed = CIRCLE_SHARE * tolerance;
         let goes_on = |pair: &[CircularPiece]| {
             let [[.., end], [start, ..]] = [&pair[0], &pair[1]].map(CircularPiece::places);
             end.distance(start) <= allowed
@@ -145,7 +145,7 @@ impl CircularArc {
         let is_closed = gap <= allowed;
         // An arc that nearly closes may come to itself.
         let is_open = CLEARANCE * tolerance < gap && turn.abs() < TAU;
-        let goes_once = (turn.abs() - TAU).abs() <= AT_JOINT;
+        let goes_once = (turn.abs() - TAU).abs() <= CIRCLE_JOINT_RELATIVE;
         (is_open || is_closed && goes_once).then(|| Self {
             center,
             radius,
@@ -159,7 +159,7 @@ impl CircularArc {
     /// not come to it.
     fn piece_at(&self, place: DVec2) -> Option<(Interval, f64)> {
         let out = place - self.center;
-        let slack = AT_JOINT * self.radius * self.radius;
+        let slack = CIRCLE_JOINT_RELATIVE * self.radius * self.radius;
         let is_on = |piece: &&CircularPiece| {
             let [start, _, end] = piece.places();
             let [from, to] = [start - self.center, end - self.center];
