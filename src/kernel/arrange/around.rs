@@ -148,7 +148,7 @@ impl<'a> RaySearch<'a> {
         let number = own.partition_point(|piece| piece.part.interval.end() <= t);
         let at = own.get(number)?.part.interval.fraction_of(t);
         // A part that is rounding would tell nothing.
-        if at < RAY_JOINT_SHARE || 1.0 - RAY_JOINT_SHARE < at {
+        if !(RAY_JOINT_SHARE..=1.0 - RAY_JOINT_SHARE).contains(&at) {
             let (before, behind) = own.split_at(number + usize::from(RAY_JOINT_SHARE < at));
             let [(last, before), (first, behind)] = [before.split_last()?, behind.split_first()?];
             let tangent = direction_at_start(&first.part)?;
