@@ -1,6 +1,7 @@
 //! Boxes in a tree, for whoever looks for those beside a place.
 
 use glam::DVec3;
+use smallvec::{SmallVec, smallvec};
 
 use crate::Bounds;
 
@@ -71,8 +72,15 @@ impl BoxTree {
     /// The numbers of the boxes no further than a distance from another one, along the axes; in their order.
     pub(crate) fn near(&self, other: Bounds, distance: f64) -> Vec<usize> {
         let mut found = Vec::new();
-        let mut todo = vec![0];
-        while let Some(node) = todo.pop().and_then(|node: usize| self.nodes.get(node)) {
+        self.visit_near(other, distance, |number| found.push(number));
+        found.sort_unstable();
+        found
+    }
+
+    /// Tells the numbers of [`Self::near`], in an order of its own.
+    pub(crate) fn visit_near(&self, other: Bounds, distance: f64, mut visit: impl FnMut(usize)) {
+        let mut todo: SmallVec<[usize; 32]> = smallvec![0];
+        while let Some(node) = todo.pop().and_then(|node| self.nodes.get(node)) {
             if !node.around.is_near(other, distance) {
                 continue;
             }
@@ -80,12 +88,10 @@ impl BoxTree {
                 Some(below) => todo.extend(below),
                 None => {
                     let own = self.numbers[node.range[0]..node.range[1]].iter().copied();
-                    found.extend(own.filter(|&i| self.boxes[i].is_near(other, distance)));
+                    own.filter(|&i| self.boxes[i].is_near(other, distance)).for_each(&mut visit);
                 }
             }
         }
-        found.sort_unstable();
-        found
     }
 }
 

@@ -15,3 +15,6 @@ print split(plate, by = cone((0.5, 0, 0.5), sqrt(0.5), sqrt(0.5) + 1, 1, axis = 
 print split(plate, by = sheet)
 print split(plate, by = trim(torus((0, 0, 1), 2, 1), by = plane((0, 0), (0, 1, 0)), keep = "above"))
 print cut(plank, plane((1, 0, 0), (1, 0, 0)))
+print split(plate, by = cone((0, 0, 0), 0, 1, 2))
+print split(cone((0, 0, 0), 0, 1, 2), by = plate)
+print split(cone((0, 0, -2), 1, 0, 2), by = cone((0, 0, 0), 0, 1, 2))

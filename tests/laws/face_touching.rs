@@ -74,6 +74,38 @@ fn discs_that_touch_one_another_and_the_border_are_parts_of_their_own() {
 }
 
 #[test]
+fn a_tip_that_stands_on_a_plate_or_on_a_tip_touches_it_there() {
+    let cup = NurbsSurface::cone(Frame::XY, [0.0, 1.0], 2.0).unwrap();
+    let hat = NurbsSurface::cone(Frame::XY.at(DVec3::Z * -2.0), [1.0, 0.0], 2.0).unwrap();
+    // The tip stands where the plate is halved, and beside that.
+    let plate = |shift: f64| {
+        let corner = |x: f64, y: f64| DVec3::new(x + shift, y, 0.0);
+        NurbsSurface::bilinear(
+            corner(-3.0, -3.0),
+            corner(-3.0, 3.0),
+            corner(3.0, -3.0),
+            corner(3.0, 3.0),
+        )
+        .unwrap()
+    };
+    for n in 0..orientations() {
+        let [a, b, ..] = fractions(n);
+        let place = DAffine3::from_translation(DVec3::new(a, b, -1.3)) * turn(n);
+        for other in [&hat, &plate(0.0), &plate(0.7)] {
+            let [own, other] =
+                [&cup, other].map(|surface| Surface::Nurbs(Arc::new(surface.transformed(&place))));
+            for [first, second] in [[&own, &other], [&other, &own]] {
+                let found = first.intersections(second, TOLERANCE).unwrap();
+                let [touch] = found.touches[..] else { panic!("{n}: {found:?}") };
+                let tip = place.transform_point3(DVec3::ZERO);
+                assert!(touch.distance(tip) < 1e-14, "{n}: {touch} for {tip}");
+                assert!(found.curves.is_empty() && found.contacts.is_empty(), "{n}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_plane_beside_a_sphere_touches_its_seam_with_the_cap_that_it_cuts_off() {
     let sphere = NurbsSurface::sphere(Frame::XY, 2.0).unwrap();
     let normal = (DVec3::X + DVec3::Y).normalize();

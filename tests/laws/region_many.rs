@@ -5,8 +5,11 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 use proptest::{array::uniform8, prop_assert, prop_assert_eq, proptest};
 use virote_kernel::{
-    CircleForm, Frame, GeomError, NurbsCurve, PictureError, Region, RegionSide, Tolerance,
+    CircleForm, CornerStyle, Frame, GeomError, NurbsCurve, PictureError, Region, RegionSide,
+    Tolerance,
 };
+
+use crate::crossing_turned::fractions;
 
 const TOLERANCE: Tolerance = Tolerance::DEFAULT;
 
@@ -90,6 +93,90 @@ fn holes_of_a_plate_are_told_from_holes_in_holes() {
     let refused = Region::new(&plate, &holes, TOLERANCE);
     let (index, other) = (holes.len(), 7 * 12 + 5 + 1);
     assert_eq!(refused, Err(GeomError::Picture(PictureError::HoleInHole { index, other })));
+}
+
+#[test]
+fn an_offset_by_less_than_the_tolerance_is_one_up_to_rounding() {
+    let disc = Region::new(&circle(0.3, -0.2, 1.0), &[], TOLERANCE).unwrap();
+    let square = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0), at(0.0, 0.0)];
+    let square = Region::new(&NurbsCurve::polyline(&square).unwrap(), &[], TOLERANCE).unwrap();
+    for by in [1e-9, 1e-7, 5e-7, 1e-6, 3e-6, 1e-5] {
+        let area = |region: &Region, by: f64| {
+            let parts = region.offset(by, CornerStyle::Round, TOLERANCE).unwrap();
+            parts.iter().map(Region::area).sum::<f64>()
+        };
+        let (grown, shrunk) = (1.0 + by, 1.0 - by);
+        assert!((area(&disc, by) - PI * grown * grown).abs() < 1e-14, "{by}");
+        assert!((area(&disc, -by) - PI * shrunk * shrunk).abs() < 1e-14, "{by}");
+        assert!((area(&square, by) - (1.0 + 4.0 * by + PI * by * by)).abs() < 1e-14, "{by}");
+        let inner = 1.0 - 2.0 * by;
+        assert!((area(&square, -by) - inner * inner).abs() < 1e-14, "{by}");
+    }
+}
+
+/// The area of what discs cover together, by Green's theorem over those parts of each circle that no other disc covers.
+fn area_together(discs: &[[f64; 3]]) -> f64 {
+    let mut area = 0.0;
+    'discs: for (i, &[x, y, radius]) in discs.iter().enumerate() {
+        let mut covered = vec![[0.0, 0.0], [TAU, TAU]];
+        for &[p, q, other] in discs.iter().enumerate().filter(|&(j, _)| j != i).map(|(_, d)| d) {
+            let distance = libm::hypot(p - x, q - y);
+            if distance + radius <= other {
+                continue 'discs;
+            }
+            if distance < radius + other && radius < distance + other {
+                let cosine = (distance * distance + radius * radius - other * other)
+                    / (2.0 * radius * distance);
+                let (way, half) = (libm::atan2(q - y, p - x), libm::acos(cosine));
+                let from = (way - half).rem_euclid(TAU);
+                let to = from + 2.0 * half;
+                covered.push([from, to.min(TAU)]);
+                covered.push([0.0, (to - TAU).max(0.0)]);
+            }
+        }
+        covered.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let mut reached = 0.0_f64;
+        for [from, to] in covered {
+            if reached < from {
+                let ((s0, c0), (s1, c1)) = (libm::sincos(reached), libm::sincos(from));
+                area += 0.5 * radius * (radius * (from - reached) + x * (s1 - s0) - y * (c1 - c0));
+            }
+            reached = reached.max(to);
+        }
+    }
+    area
+}
+
+#[test]
+fn many_discs_cover_what_their_free_arcs_go_around() {
+    for n in [30_u64, 120] {
+        let discs: Vec<[f64; 3]> = (0..n)
+            .map(|i| {
+                let [a, b, c, _] = fractions(i);
+                [8.0 * a, 8.0 * b, 0.4 + 0.7 * c]
+            })
+            .collect();
+        let regions: Vec<Region> = discs
+            .iter()
+            .map(|&[x, y, radius]| Region::new(&circle(x, y, radius), &[], TOLERANCE).unwrap())
+            .collect();
+        let area = area_together(&discs);
+        let together = Region::union(&regions, TOLERANCE, 1).unwrap();
+        let found: f64 = together.iter().map(Region::area).sum();
+        assert!((found - area).abs() < 1e-12 * area, "{n} discs: {found} for {area}");
+        let plate = NurbsCurve::polyline(&[
+            at(-2.0, -2.0),
+            at(10.0, -2.0),
+            at(10.0, 10.0),
+            at(-2.0, 10.0),
+            at(-2.0, -2.0),
+        ]);
+        let plate = Region::new(&plate.unwrap(), &[], TOLERANCE).unwrap();
+        let rest = [&[plate], &regions[..]].concat();
+        let rest = Region::difference(&rest, TOLERANCE, 1).unwrap();
+        let found: f64 = rest.iter().map(Region::area).sum();
+        assert!((found - (144.0 - area)).abs() < 1e-12 * area, "the rest of {n} discs: {found}");
+    }
 }
 
 #[test]

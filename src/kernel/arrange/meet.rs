@@ -22,6 +22,10 @@ pub(super) fn meetings(
     second: &NurbsCurve,
     tolerance: f64,
 ) -> Result<Vec<[f64; 2]>, GeomError> {
+    // Circles that cross clearly touch nowhere.
+    if let Some(crossings) = first.circle_crossings(second, tolerance) {
+        return Ok(crossings.iter().map(|place| [place.first, place.second]).collect());
+    }
     let mut found = Vec::new();
     let mut rests = vec![first.domain()];
     let mut n_stretches = 0;
@@ -153,7 +157,8 @@ fn ends_on(
 /// # Errors
 /// `IntersectionError::RunsAlongItself`, `IntersectionError::Tangled`.
 pub(super) fn own_meetings(curve: &NurbsCurve, tolerance: f64) -> Result<Vec<[f64; 2]>, GeomError> {
-    if curve.degree() == 1 && curve.n_segments() == 1 {
+    let is_straight = curve.degree() == 1 && curve.n_segments() == 1;
+    if is_straight || curve.is_circular_arc(tolerance) {
         return Ok(Vec::new());
     }
     let meetings = curve.self_intersections(tolerance)?;

@@ -2,12 +2,13 @@
 //! regions are made of.
 //!
 //! `near` finds which arcs may meet, `meet` where they do, completely, with `touch` of crossings that are one touch; `cut` makes places within the tolerance one vertex and what
-//! lies along itself one edge; `ray` counts how often rings go around what is on either side of an edge;
+//! lies along itself one edge; `around` counts how often rings go around what is on either side of an edge, by a `ray`;
 //! `walk` puts edges together to loops that run with the region to their left, `cell` to the loops around all
 //! that edges divide the plane into. An edge ends at vertices
 //! alone, so that what is true at one place on it is true along all of it. What was missed shows: loops
 //! would not close.
 
+mod around;
 mod cell;
 mod cut;
 mod meet;
@@ -20,8 +21,9 @@ use glam::DVec3;
 
 use crate::{Interval, NurbsCurve};
 
+pub(crate) use around::{EdgeSide, RaySearch, Windings};
 pub(crate) use cell::CellLoop;
-pub(crate) use ray::{EdgeSide, RaySearch, Windings, winding_about};
+pub(crate) use ray::winding_about;
 pub(crate) use walk::{OrientedEdge, joined};
 
 /// A closed chain of arcs. Its loops count for the group that it belongs to.

@@ -40,14 +40,16 @@ pub(super) fn near_pairs(
     let mut pairs: Vec<[usize; 2]> =
         (0..arcs.len()).filter(|&i| is_wanted(i, i)).map(|i| [i, i]).collect();
     for (i, part) in &pieces {
-        let near = tree.near(part.bounds, distance);
-        GeomError::go_on(1 + near.len())?;
-        for (j, other) in near.into_iter().map(|number| &pieces[number]) {
+        let mut n_near = 0;
+        tree.visit_near(part.bounds, distance, |number| {
+            let (j, other) = &pieces[number];
+            n_near += 1;
             if i < j && found_for[*j] != *i && is_wanted(*i, *j) && part.may_meet(other, distance) {
                 found_for[*j] = *i;
                 pairs.push([*i, *j]);
             }
-        }
+        });
+        GeomError::go_on(1 + n_near)?;
     }
     pairs.sort_unstable();
     Ok(pairs)

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{
     Arrangement, EdgeSide, PlaneEdge,
-    ray::{RaySearch, Windings},
+    around::{RaySearch, Windings},
 };
 use crate::{
     GeomError, Interval, NurbsCurve, RegionError,

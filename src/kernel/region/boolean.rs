@@ -142,10 +142,11 @@ pub(super) fn sorted(
     for arcs in loops {
         GeomError::go_on(1)?;
         let border = PlaneLoop { arcs };
-        let (area, length) = (border.area(), border.length());
+        let area = border.area();
         // A strip is as wide as its area over half of its border.
-        if 2.0 * area.abs() <= distance * length {
-            let (width, point) = (2.0 * area.abs() / length, frame.point(border.arcs[0].start()));
+        if border.is_strip(area, 0.5 * distance) {
+            let width = 2.0 * area.abs() / border.length();
+            let point = frame.point(border.arcs[0].start());
             return Err(RegionError::Thin { point, width, tolerance: distance }.into());
         }
         if 0.0 < area { outer.push((area, border)) } else { holes.push((area, border)) }

@@ -43,9 +43,9 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
             continue;
         }
         let border = PlaneLoop { arcs };
-        let (area, length) = (border.area(), border.length());
-        if 2.0 * area.abs() <= distance * length {
-            let (width, point) = (2.0 * area.abs() / length, border.arcs[0].start());
+        let area = border.area();
+        if border.is_strip(area, 0.5 * distance) {
+            let (width, point) = (2.0 * area.abs() / border.length(), border.arcs[0].start());
             return Err(RegionError::Thin { point, width, tolerance: distance }.into());
         }
         if 0.0 < area {

@@ -166,6 +166,18 @@ impl PlaneLoop {
         self.moments(self.bounds().center())[0]
     }
 
+    /// Whether it goes around no more, with an area given, than a strip as long as it of a width.
+    pub(super) fn is_strip(&self, area: f64, width: f64) -> bool {
+        // No curve is longer than the legs of its control points, but for weights below zero.
+        let is_convex = |arc: &NurbsCurve| arc.control_points().iter().all(|point| 0.0 < point.w);
+        let legs = |arc: &NurbsCurve| {
+            arc.points().windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>()
+        };
+        let is_wider = self.arcs.iter().all(is_convex)
+            && width * self.arcs.iter().map(legs).sum::<f64>() < area.abs();
+        !is_wider && area.abs() <= width * self.length()
+    }
+
     pub(super) fn length(&self) -> f64 {
         self.arcs.iter().map(|arc| arc.length(arc.domain())).sum()
     }

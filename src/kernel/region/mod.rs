@@ -85,8 +85,8 @@ impl Region {
         for (index, curve) in curves.into_iter().enumerate() {
             let border =
                 PlaneLoop::of(curve, frame, [index, of], tolerance.with_distance(distance))?;
-            let (area, length) = (border.area(), border.length());
-            if area.abs() <= distance * length {
+            let area = border.area();
+            if border.is_strip(area, distance) {
                 // An eight goes around as much to the left as to the right.
                 let alone = Self { frame, loops: vec![border] };
                 let refused = match alone.arrangement(distance)?.knot() {

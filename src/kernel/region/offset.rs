@@ -19,6 +19,7 @@ use crate::{
     Tolerance,
     arrange::{self, Apart, Arrangement, Ring, winding_about},
     frame::{norm, unit},
+    tolerance::{LAST_BIT, OFFSET_RELATIVE, OFFSET_SHARE},
 };
 
 /// A mitred corner is no further than so many times the distance from the old one.
@@ -27,6 +28,9 @@ const LONGEST_MITRE: f64 = 10.0;
 /// Tolerances by which a part of the new border may be nearer to the old one than the distance: its own
 /// deviation, and that of where it is cut.
 const SLACK: f64 = 4.0;
+
+/// Last bits of its coordinates by which a region is as it was.
+const ROUNDINGS: f64 = 1024.0;
 
 /// Where on a part of an offset its distance is looked at, by fractions.
 const LOOKS: [f64; 3] = [0.5, 0.25, 0.75];
@@ -165,11 +169,13 @@ impl Region {
         if !distance.is_finite() {
             return Err(InputError::NotFinite { what: "the distance", index: 0 }.into());
         }
-        let size = super::bounds_of(&self.loops).map_or(0.0, crate::Bounds::diagonal);
-        let near = tolerance.distance_for(size);
-        if distance.abs() <= near {
+        let bounds = super::bounds_of(&self.loops);
+        let (size, magnitude) = bounds.map_or((0.0, 0.0), |b| (b.diagonal(), b.magnitude()));
+        // A distance within the tolerance tells folds from borders as others do.
+        if distance.abs() <= (OFFSET_RELATIVE * size).max(ROUNDINGS * LAST_BIT * magnitude) {
             return Ok(vec![self.clone()]);
         }
+        let near = tolerance.distance_for(size).min(OFFSET_SHARE * distance.abs());
         let tolerance = tolerance.with_distance(near);
         let mut front = Front::default();
         for border in &self.loops {

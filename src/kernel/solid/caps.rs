@@ -83,15 +83,16 @@ pub(super) struct PlaneCaps {
 /// Those of [`Solid::capped`] but for those of bodies.
 pub(super) fn plane_caps(faces: &[Face], tolerance: Tolerance) -> Result<PlaneCaps, GeomError> {
     let mut edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-    let mut rims = match rims(faces, &edges, tolerance) {
+    let open = match rims(faces, &edges, tolerance) {
         // Part of an edge may have a neighbour, as where a plane goes on along it behind a concave corner.
         Err(GeomError::Face(FaceError::OpenShell { .. })) => {
             let distance = tolerance.distance_for(box_around(faces).diagonal());
-            edges = FaceBorderEdge::divided(&edges, distance)?;
+            edges = FaceBorderEdge::parts_around_areas(faces, distance, tolerance)?;
             rims(faces, &edges, tolerance)?
         }
         found => found?,
     };
+    let mut rims = FaceBorderEdge::curves_around_areas(&edges, &open, faces, tolerance)?;
     let size = rims.iter().map(NurbsCurve::bounds).reduce(Bounds::union);
     let distance = tolerance.distance_for(size.map_or(0.0, Bounds::diagonal));
     // Where surfaces only touch a plane, crumbs of edges are left, which are one place.

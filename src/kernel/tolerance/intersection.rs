@@ -102,6 +102,28 @@ pub(crate) const OVERSHOOT_RELATIVE: f64 = 0.1;
 /// Larger leaves less of the tolerance to the proof; smaller takes more pieces.
 pub(crate) const EDGE_SHARE: f64 = 0.125;
 
+/// Part of the tolerance within which a curve must be a circle for its crossings to be told in a closed form.
+///
+/// Larger lets a curve cross a circle more often than circles do; smaller leaves arcs with rounding to the search.
+pub(crate) const CIRCLE_SHARE: f64 = 0.0078125;
+
+/// The part of the square of its radius within which a place of a circle is at a joint of two pieces, and the angle by
+/// which a whole turn is one.
+///
+/// Larger looks at a joint's wrong side; smaller finds a place on neither.
+pub(crate) const CIRCLE_JOINT_RELATIVE: f64 = 1e-9;
+
+/// The fraction of a piece of an edge within which a ray begins in its end instead.
+///
+/// Larger moves more rays; smaller cuts off parts that are rounding.
+pub(crate) const RAY_JOINT_SHARE: f64 = 1e-6;
+
+/// How near splines along plane rims are to these, as a fraction of the size of a face: the areas within differ by no more
+/// than that times their border.
+///
+/// Larger shows in areas and volumes; smaller takes more pieces, as its sixth root.
+pub(crate) const RIM_RELATIVE: f64 = 1e-10;
+
 /// Part of the tolerance within which the end of a curve is on the border of a surface.
 ///
 /// Larger moves ends that stop short of a border; smaller leaves a crumb between both.

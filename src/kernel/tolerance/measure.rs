@@ -13,6 +13,17 @@ pub const LENGTH_RELATIVE: f64 = 1e-13;
 /// of the sum.
 pub const QUADRATURE_RELATIVE: f64 = 1e-12;
 
+/// The offset of a region by less than this part of its size leaves it as it is.
+///
+/// Larger loses small offsets of large regions; smaller asks for parts of sides whose parameters are rounding.
+pub(crate) const OFFSET_RELATIVE: f64 = 1e-10;
+
+/// The share of the distance of an offset that places of its border are one within, where that is less than the
+/// tolerance.
+///
+/// Larger takes what the offset tears open for one; smaller asks for arcs that are nearer than anybody needs.
+pub(crate) const OFFSET_SHARE: f64 = 0.0625;
+
 /// Sizes from the origin beyond which what is asked of a shape is affected by the last bits of its coordinates.
 ///
 /// Larger leaves integrals of what is that far to be divided for digits that nobody has; smaller moves the planes of

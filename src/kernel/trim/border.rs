@@ -6,15 +6,18 @@ use glam::DVec3;
 
 use super::{
     Face,
-    lift::{is_point, joined_spline, spline},
+    lift::{is_point, joined_spline, spline, spline_near},
 };
 use crate::{
-    Curve, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance,
+    Curve, FitError, GeomError, IntegralError, NurbsCurve, Region, Side, Tolerance,
     curve::join_chain,
     find_integral,
     frame::{angle_between, norm},
-    tolerance::QUADRATURE_RELATIVE,
+    tolerance::{EDGE_SHARE, QUADRATURE_RELATIVE, RIM_RELATIVE},
 };
+
+/// Last bits of where a surface lies that splines around areas are given at least.
+const RIM_BITS: f64 = 64.0;
 
 /// The border of a face at a tolerance, once it was asked for. It is known by what it is of: all of them are equal,
 /// and what is copied to become another face has none.
@@ -109,10 +112,35 @@ impl Face {
     /// # Errors
     /// `FitError::NoSplineNear`, `GeomError::Ended`; those of [`crate::join`].
     pub fn edges(&self, tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
+        self.edges_near(EDGE_SHARE * self.distance(tolerance), tolerance)
+    }
+
+    /// The same edges, splines as near as areas of what they bound in a plane ask for, where that can be.
+    ///
+    /// # Errors
+    /// Those of [`Self::edges`].
+    pub(crate) fn edges_around_areas(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
+        let size = self.plane.surface.bounds().diagonal();
+        let deviation = (RIM_RELATIVE * size).max(RIM_BITS * self.plane.last_bit());
+        let most = EDGE_SHARE * self.distance(tolerance);
+        match self.edges_near(deviation.min(most), tolerance) {
+            Err(GeomError::Fit(FitError::NoSplineNear { .. })) => self.edges(tolerance),
+            found => found,
+        }
+    }
+
+    fn edges_near(
+        &self,
+        deviation: f64,
+        tolerance: Tolerance,
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
         let distance = self.distance(tolerance);
         let mut edges = Vec::new();
         for ring in self.rings(distance)? {
-            edges.extend(between_corners(&ring, distance, tolerance.angle)?);
+            edges.extend(between_corners(&ring, [distance, deviation], tolerance.angle)?);
         }
         Ok(edges)
     }
@@ -123,7 +151,7 @@ impl Face {
     /// Those of [`Self::edges`].
     pub fn loops(&self, tolerance: Tolerance) -> Result<Vec<NurbsCurve>, GeomError> {
         let distance = self.distance(tolerance);
-        let joined = |ring: &Vec<Curve>| joined(ring, distance);
+        let joined = |ring: &Vec<Curve>| joined(ring, [distance, EDGE_SHARE * distance]);
         self.rings(distance)?.iter().map(joined).collect()
     }
 
@@ -303,7 +331,7 @@ impl Face {
 /// The curves of a ring, joined between its corners.
 fn between_corners(
     ring: &[Curve],
-    distance: f64,
+    distances: [f64; 2],
     angle: f64,
 ) -> Result<Vec<NurbsCurve>, GeomError> {
     let n = ring.len();
@@ -320,19 +348,19 @@ fn between_corners(
             corners.push(i);
         }
     }
-    let Some(&first) = corners.first() else { return Ok(vec![joined(ring, distance)?]) };
+    let Some(&first) = corners.first() else { return Ok(vec![joined(ring, distances)?]) };
     let mut edges = Vec::with_capacity(corners.len());
     for (k, &corner) in corners.iter().enumerate() {
         let next = corners.get(k + 1).map_or(first + n, |&next| next);
         let chain: Vec<Curve> = (corner..next).map(|i| ring[i % n].clone()).collect();
-        edges.push(joined(&chain, distance)?);
+        edges.push(joined(&chain, distances)?);
     }
     Ok(edges)
 }
 
-/// Curves that follow one another as one spline.
-fn joined(chain: &[Curve], distance: f64) -> Result<NurbsCurve, GeomError> {
-    let splines = chain.iter().map(|curve| spline(curve, distance));
+/// Curves that follow one another within a distance as one spline that is no further away than another.
+fn joined(chain: &[Curve], [distance, deviation]: [f64; 2]) -> Result<NurbsCurve, GeomError> {
+    let splines = chain.iter().map(|curve| spline_near(curve, deviation));
     let splines: Vec<NurbsCurve> = splines.collect::<Result<_, _>>()?;
     join_chain(&splines, 4.0 * distance)
 }

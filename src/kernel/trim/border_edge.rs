@@ -1,5 +1,7 @@
 //! Edges of faces, and what is on the other side of them.
 
+use std::collections::{BTreeMap, btree_map::Entry};
+
 use glam::DVec3;
 
 use super::{Face, FaceError};
@@ -19,6 +21,8 @@ pub(crate) struct FaceBorderEdge {
     pub(super) face: usize,
     pub(super) curve: NurbsCurve,
     bounds: Bounds,
+    /// Which of the edges of its face it is; none of a part of one.
+    number: Option<usize>,
 }
 
 /// The faces on both sides of a place of an edge.
@@ -73,22 +77,66 @@ impl FaceBorderEdge {
     ) -> Result<Vec<Self>, GeomError> {
         let mut edges = Vec::new();
         for (face, own) in (first..).zip(faces) {
-            edges.extend(own.edges(tolerance)?.into_iter().map(|curve| Self::new(face, curve)));
+            let own = own.edges(tolerance)?.into_iter().enumerate();
+            edges.extend(own.map(|(number, curve)| {
+                let number = Some(number);
+                Self { number, ..Self::new(face, curve) }
+            }));
         }
         Ok(edges)
+    }
+
+    /// The same as near as areas within them ask for, in parts that end where others do.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`] and of [`Self::divided`].
+    pub(crate) fn parts_around_areas(
+        faces: &[Face],
+        distance: f64,
+        tolerance: Tolerance,
+    ) -> Result<Vec<Self>, GeomError> {
+        let mut edges = Vec::new();
+        for (face, own) in faces.iter().enumerate() {
+            let own = own.edges_around_areas(tolerance)?.into_iter();
+            edges.extend(own.map(|curve| Self::new(face, curve)));
+        }
+        Self::divided(&edges, distance)
+    }
+
+    /// The curves of some edges of faces as near as areas within them ask for.
+    ///
+    /// # Errors
+    /// Those of [`Face::edges`].
+    pub(crate) fn curves_around_areas(
+        edges: &[Self],
+        wanted: &[usize],
+        faces: &[Face],
+        tolerance: Tolerance,
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
+        let mut of_faces: BTreeMap<usize, Vec<NurbsCurve>> = BTreeMap::new();
+        let mut curves = Vec::with_capacity(wanted.len());
+        for edge in wanted.iter().map(|&i| &edges[i]) {
+            let own = match of_faces.entry(edge.face) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(new) => new.insert(faces[edge.face].edges_around_areas(tolerance)?),
+            };
+            let curve = edge.number.and_then(|number| own.get(number));
+            curves.push(curve.unwrap_or(&edge.curve).clone());
+        }
+        Ok(curves)
     }
 
     /// An edge of the face of a number, with that to its left.
     pub(super) fn new(face: usize, curve: NurbsCurve) -> Self {
         let bounds = curve.bounds();
-        Self { face, curve, bounds }
+        Self { face, curve, bounds, number: None }
     }
 
     /// The same edges in parts that end where others do.
     ///
     /// # Errors
     /// Those of [`NurbsCurve::split`]; `GeomError::Ended`.
-    pub(crate) fn divided(edges: &[Self], distance: f64) -> Result<Vec<Self>, GeomError> {
+    fn divided(edges: &[Self], distance: f64) -> Result<Vec<Self>, GeomError> {
         let reach = 2.0 * distance;
         let ends: Vec<DVec3> =
             edges.iter().flat_map(|edge| [edge.curve.start(), edge.curve.end()]).collect();

@@ -198,9 +198,14 @@ pub(super) fn joined_spline(
 
 /// A lifted arc as a spline, within an eighth of a distance.
 pub(super) fn spline(curve: &Curve, distance: f64) -> Result<NurbsCurve, GeomError> {
+    spline_near(curve, EDGE_SHARE * distance)
+}
+
+/// A lifted arc as a spline that is no further away than that.
+pub(super) fn spline_near(curve: &Curve, deviation: f64) -> Result<NurbsCurve, GeomError> {
     match curve {
         Curve::Nurbs(curve) => Ok((**curve).clone()),
-        Curve::Parametric(function) => function.to_nurbs(EDGE_SHARE * distance),
+        Curve::Parametric(function) => function.to_nurbs(deviation),
     }
 }
 

@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::{Face, FaceError, division::Division};
 use crate::{
     GeomError, NurbsCurve, NurbsSurface, PictureError, Region, RegionError, Tolerance,
-    region::smooth_arcs,
+    region::smooth_arcs, tolerance::EXACT_RELATIVE,
 };
 
 impl Face {
@@ -59,7 +61,8 @@ impl Face {
             Ok([parts]) => Ok(Self { parts, ..self.clone() }),
             Err(_) if n_parts == 0 => Err(FaceError::Nothing.into()),
             Err(parts) => {
-                let points = parts.iter().map(|part| self.plane.point(place_of(part)));
+                let points =
+                    parts.iter().map(|part| self.told_place(self.plane.point(place_of(part))));
                 Err(FaceError::Apart { n_parts, points: points.take(2).collect() }.into())
             }
         }
@@ -84,8 +87,14 @@ impl Face {
     }
 
     /// A point on the border of its parameters.
-    pub(crate) fn border_place(&self) -> glam::DVec3 {
+    pub(crate) fn border_place(&self) -> DVec3 {
         self.plane.point(place_of(&self.parts))
+    }
+
+    /// A place as it is told: what of it is rounding of the surface's coordinates is zero.
+    pub(super) fn told_place(&self, point: DVec3) -> DVec3 {
+        let rounding = EXACT_RELATIVE * self.plane.surface.bounds().magnitude();
+        DVec3::from(point.to_array().map(|x| if x.abs() <= rounding { 0.0 } else { x }))
     }
 
     /// Places of what was found in the plane of parameters, in space.
@@ -106,7 +115,7 @@ impl Face {
 }
 
 /// A place of a part: one on its border.
-pub(super) fn place_of(part: &[Region]) -> glam::DVec3 {
+pub(super) fn place_of(part: &[Region]) -> DVec3 {
     let mut arcs = part.iter().flat_map(Region::arcs).flatten();
-    arcs.next().map_or(glam::DVec3::ZERO, |arc| arc.point_at(arc.domain().at(0.5)))
+    arcs.next().map_or(DVec3::ZERO, |arc| arc.point_at(arc.domain().at(0.5)))
 }

@@ -224,18 +224,20 @@ fn pieces(
 ) -> Result<Vec<BorderPiece>, GeomError> {
     let domain = arc.domain();
     let mut cuts = arc.knots().breaks();
-    let bounds = arc.bounds();
-    for (axis, lines) in lines.iter().enumerate() {
-        let plane = if axis == 0 { Frame::YZ } else { Frame::ZX };
-        let slack = KNOT_RELATIVE * (lines[lines.len() - 1] - lines[0]);
-        for &line in &lines[1..lines.len() - 1] {
-            GeomError::go_on(1)?;
-            if line < bounds.min[axis] || bounds.max[axis] < line {
-                continue;
+    for part in arc.decompose() {
+        let hull = Bounds::of(part.points()).unwrap_or(part.bounds());
+        for (axis, lines) in lines.iter().enumerate() {
+            let plane = if axis == 0 { Frame::YZ } else { Frame::ZX };
+            let slack = KNOT_RELATIVE * (lines[lines.len() - 1] - lines[0]);
+            let inner = &lines[1..lines.len() - 1];
+            let from = inner.partition_point(|&line| line < hull.min[axis]);
+            let to = inner.partition_point(|&line| line <= hull.max[axis]);
+            for &line in &inner[from..to.max(from)] {
+                GeomError::go_on(1)?;
+                let origin = if axis == 0 { DVec3::X } else { DVec3::Y } * line;
+                let tolerance = Tolerance::DEFAULT.with_distance(slack);
+                cuts.extend(part.plane_parameters(plane.at(origin), tolerance));
             }
-            let origin = if axis == 0 { DVec3::X } else { DVec3::Y } * line;
-            let tolerance = Tolerance::DEFAULT.with_distance(slack);
-            cuts.extend(arc.plane_parameters(plane.at(origin), tolerance));
         }
     }
     cuts.sort_by(f64::total_cmp);

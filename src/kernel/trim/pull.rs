@@ -1,8 +1,8 @@
 //! Curves on a surface as curves of its parameters.
 //!
 //! Where a curve runs over a seam or through a pole its parameters jump: there it is cut. Between jumps a
-//! polynomial of degree 11 goes through places that were solved for at Chebyshev's points, and a piece is
-//! halved until it agrees with the solution between them: far beyond the tolerance, so that areas are
+//! polynomial of degree 11, or of 6 where pieces are many, goes through places that were solved for at Chebyshev's points,
+//! and a piece is halved until it agrees with the solution between them: far beyond the tolerance, so that areas are
 //! those of the true curve. Trefethen, *Approximation Theory and Approximation Practice*, ch. 2 and 8.
 
 use std::f64::consts::PI;
@@ -21,6 +21,12 @@ use crate::{
 
 /// The degree of pieces.
 const DEGREE: usize = 11;
+
+/// That of the pieces of a curve of many spans, which are short: fewer places are as near.
+const SHORT_DEGREE: usize = 6;
+
+/// So many ends of pieces are many.
+const MANY_STOPS: usize = 32;
 
 /// Even parts of each span of a curve between which jumps are looked for.
 const PARTS: usize = 8;
@@ -304,13 +310,14 @@ impl PulledCurve<'_> {
         }
         stops.push(end);
         let stops = self.with_knots(stops)?;
+        let degree = if MANY_STOPS < stops.len() { SHORT_DEGREE } else { DEGREE };
         let mut todo = Vec::with_capacity(stops.len());
         for pair in stops.windows(2).rev() {
             todo.push((Interval::new(pair[0].0, pair[1].0)?, pair[0].1, pair[1].1, 0));
         }
         while let Some((interval, first, last, n_halvings)) = todo.pop() {
             GeomError::go_on(1)?;
-            let piece = self.piece(interval, first, last)?;
+            let piece = self.piece(interval, [first, last], degree)?;
             let is_near = |&fraction: &f64| -> Result<bool, GeomError> {
                 let t = interval.at(fraction);
                 let fitted = piece.point_at(t);
@@ -347,8 +354,8 @@ impl PulledCurve<'_> {
     fn piece(
         &self,
         interval: Interval,
-        first: DVec3,
-        last: DVec3,
+        [first, last]: [DVec3; 2],
+        degree: usize,
     ) -> Result<NurbsCurve, GeomError> {
         // Beside a jump the last digits of a parameter tell where it is.
         let is_line = norm(last - first) <= PULL_SHARE * self.tolerance;
@@ -357,8 +364,8 @@ impl PulledCurve<'_> {
         }
         let mut ts = vec![interval.start()];
         let mut places = vec![first];
-        for i in 1..DEGREE {
-            let fraction = chebyshev_fraction(i, DEGREE);
+        for i in 1..degree {
+            let fraction = chebyshev_fraction(i, degree);
             let t = interval.at(fraction);
             ts.push(t);
             places.push(self.place_between(t, first.lerp(last, fraction))?.0);

@@ -14,7 +14,7 @@ use super::{
     measure::{amid, arm, flux},
 };
 use crate::{
-    Bounds, GeomError, MassProperties, NurbsCurve, Tolerance,
+    Bounds, GeomError, MassProperties, Tolerance,
     frame::norm,
     surface::{
         Density, IntegralValues, MOMENT_KINDS, MassIntegral, ONE_MOMENT, ONE_QUANTITY, moments,
@@ -160,7 +160,7 @@ fn summed<const N: usize>(shells: &[EnclosedShell<N>]) -> MassIntegral<N> {
     sum
 }
 
-/// Those edges of faces that have no neighbour along all of their length.
+/// The numbers of those edges of faces that have no neighbour along all of their length.
 ///
 /// # Errors
 /// [`FaceError::OpenShell`] of an edge that has one along a part, [`FaceError::CrowdedShell`].
@@ -168,11 +168,11 @@ pub(crate) fn rims(
     faces: &[Face],
     edges: &[FaceBorderEdge],
     tolerance: Tolerance,
-) -> Result<Vec<NurbsCurve>, GeomError> {
+) -> Result<Vec<usize>, GeomError> {
     let distance = distance_for(faces, tolerance);
     let search = NeighbourSearch::new(edges, distance);
     let mut rims = Vec::new();
-    for (i, edge) in edges.iter().enumerate() {
+    for i in 0..edges.len() {
         let (mut n_open, mut first) = (0, None);
         for point in search.neighbours(i)?.into_iter().filter_map(Result::err) {
             n_open += 1;
@@ -180,7 +180,7 @@ pub(crate) fn rims(
         }
         match first {
             None => {}
-            Some(_) if n_open == N_PLACES => rims.push(edge.curve.clone()),
+            Some(_) if n_open == N_PLACES => rims.push(i),
             Some(point) => return Err(search.no_neighbour(i, point)),
         }
     }

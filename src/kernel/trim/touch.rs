@@ -8,10 +8,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Cutter, Face, FaceError, pull::MOST_BESIDE};
-use crate::{
-    GeomError, LevelSet, NurbsCurve, NurbsSurface, Side, Surface, Tolerance, frame::unit,
-    tolerance::EXACT_RELATIVE,
-};
+use crate::{GeomError, LevelSet, NurbsCurve, NurbsSurface, Side, Surface, Tolerance, frame::unit};
 
 /// Where along a line it is looked at whether both sides of it are on one side of a cutter.
 const LOOKS: [f64; 3] = [0.23, 0.5, 0.77];
@@ -57,11 +54,7 @@ impl Face {
             return Ok(FaceError::Covered { index });
         }
         let touches = self.touches(cutter, tolerance)?;
-        let rounding = EXACT_RELATIVE * self.plane.surface.bounds().magnitude();
-        let shown = |point: DVec3| {
-            let coordinates = point.to_array();
-            DVec3::from(coordinates.map(|x| if x.abs() <= rounding { 0.0 } else { x }))
-        };
+        let shown = |point: DVec3| self.told_place(point);
         let along = |line: &NurbsCurve| FaceError::TouchesAlong {
             index,
             ends: [line.start(), line.end()].map(shown),

@@ -82,8 +82,34 @@ impl NurbsCurve {
         if end - start <= KNOT_RELATIVE * domain.length() {
             return Err(DomainError::NarrowInterval { start, end }.into());
         }
+        if let Some(part) = self.part_of_piece([start, end]) {
+            return Ok(part);
+        }
         let (_, rest) = self.lines().cut_at(start);
         Ok(Self::from_lines(rest.cut_at(end).0))
+    }
+
+    /// The same of two parameters within one span, where its control points there are those of its Bézier piece.
+    fn part_of_piece(&self, [start, end]: [f64; 2]) -> Option<Self> {
+        let (degree, knots) = (self.degree(), self.knots.as_slice());
+        let span = self.knots.span_at(start);
+        let (low, high) = (knots[span], knots[span + 1]);
+        let is_piece = low <= knots[span + 1 - degree] && knots[span + degree] <= high;
+        if degree == 0 || !is_piece || start < low || high < end {
+            return None;
+        }
+        let mut points = self.control_points[self.knots.support(span)].to_vec();
+        if low < start {
+            bezier::cut_off(&mut points, (start - low) / (high - low), |_| ());
+        }
+        if end < high {
+            let mut before = Vec::with_capacity(points.len());
+            let fraction = (end - start) / (high - start);
+            bezier::cut_off(&mut points, fraction, |point| before.push(point));
+            points = before;
+        }
+        let ends = [start, end].map(|t| vec![t; degree + 1]);
+        Some(Self::new_unchecked(self.knots.part([&ends[0], &ends[1], &[]]), points))
     }
 
     /// The same curve with knots that stand p + 1 times at both ends.

@@ -6,6 +6,7 @@
 //! Sederberg & Nishita, *Curve intersection using Bézier clipping*, CAD 22 (1990), with tangent
 //! cones as in Sederberg & Meyers (1988).
 
+mod circles;
 mod contact;
 mod corners;
 mod distinct;

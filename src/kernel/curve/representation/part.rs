@@ -72,10 +72,21 @@ impl CurvePart {
     }
 
     pub(crate) fn halves(&self) -> [Self; 2] {
+        self.parts_at(0.5, self.interval.halves())
+    }
+
+    /// Both parts of it where it is cut at a fraction; none where one of them would be no wider than rounding.
+    pub(crate) fn cut_at(&self, fraction: f64) -> Option<[Self; 2]> {
+        let (own, t) = (self.interval, self.interval.at(fraction));
+        let intervals = [Interval::new(own.start(), t), Interval::new(t, own.end())];
+        let [Ok(before), Ok(behind)] = intervals else { return None };
+        Some(self.parts_at(fraction, [before, behind]))
+    }
+
+    fn parts_at(&self, fraction: f64, [before, behind]: [Interval; 2]) -> [Self; 2] {
         let mut left = SmallVec::with_capacity(self.points.len());
         let mut right = self.points.clone();
-        bezier::cut_off(&mut right, 0.5, |point| left.push(point));
-        let [before, behind] = self.interval.halves();
+        bezier::cut_off(&mut right, fraction, |point| left.push(point));
         [Self::new(before, left), Self::new(behind, right)]
     }
 

@@ -7,7 +7,11 @@
 use glam::DVec4;
 
 use super::AnalyticForm;
-use crate::{Grid, NurbsSurface, surface::intersection::square::product};
+use crate::{
+    Grid, NurbsSurface,
+    surface::intersection::square::{product, range},
+    tolerance::SIGN_RELATIVE,
+};
 
 impl NurbsSurface {
     /// Whether the equation of another surface, if it has one, tells that this one is nowhere as near to it.
@@ -24,8 +28,11 @@ impl NurbsSurface {
         let is_beyond = |sign: f64| {
             let excess = |net: &Grid<DVec4>| {
                 let [left, weights] = found.form.left_side(net);
+                // At the apex of a cone no bound is so small that rounding could be larger.
+                let [least, highest] = range(&left);
+                let rounding = 2.0 * SIGN_RELATIVE * highest.max(-least);
                 Grid::from_fn(left.n_rows(), left.n_columns(), |i, j| {
-                    sign * left.get(i, j) - most * weights.get(i, j)
+                    sign * left.get(i, j) - most * weights.get(i, j) - rounding
                 })
             };
             local.sign_of(excess).is_some_and(|found| 0.0 < found)

@@ -85,7 +85,15 @@ pub(super) fn with_edges_beside(
     }
     // Of several that lead to one another the nearest tells.
     corners.sort_by(|one, another| one.0.total_cmp(&another.0));
-    for (_, corner, [own, other]) in corners {
+    for (distance, corner, [own, other]) in corners {
+        // One place with a corner that is nearer to both is that corner, as two tips are.
+        let away = |touch: DVec3| [own, other].map(|surface| surface.closest(touch).distance);
+        let is_worse = |&touch: &DVec3| {
+            touch.distance(corner) <= tolerance && away(touch).into_iter().any(|gap| distance < gap)
+        };
+        if let Some(touch) = told.touches.iter_mut().find(|touch| is_worse(touch)) {
+            *touch = corner;
+        }
         let is_told = SurfaceBeside { own, other, told: &told, tolerance }.is_told(corner);
         if !is_told {
             told.touches.push(corner);
