@@ -33,6 +33,7 @@ mod hostile;
 mod jet;
 mod joints;
 mod knots;
+mod least_values;
 mod level;
 mod local;
 mod measure;
