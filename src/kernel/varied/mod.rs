@@ -17,6 +17,7 @@ pub(crate) mod knots;
 mod length;
 mod listed;
 mod orders;
+mod rows;
 mod solid;
 mod surface;
 mod wall;
@@ -25,7 +26,7 @@ use std::{ops::Range, sync::Arc};
 
 use glam::{DVec3, DVec4};
 
-use self::{asked::AskedSlopes, listed::ListedSlopes};
+use self::{asked::AskedSlopes, listed::ListedSlopes, rows::VariableRows};
 use super::{CountError, GeomError, Grid, Jet};
 
 pub(crate) use asked::{AllSlopes, SlopeWays};
@@ -201,25 +202,26 @@ impl PointSlopes {
         &self,
         acting: impl Iterator<Item = Range<usize>> + Clone,
         factors: &Grid<f64>,
-    ) -> Vec<(usize, Vec<DVec4>)> {
+    ) -> VariableRows<DVec4> {
         let listed = match &self.form {
             SlopeForm::Listed(listed) => listed,
             SlopeForm::Asked(asked) => return asked.sums(acting, factors),
         };
-        let mut found = Vec::new();
+        let mut found = VariableRows::new(factors.n_columns());
         for (variable, moving, slopes) in listed.moving() {
-            let (mut sums, mut row) = (Vec::new(), 0);
+            let is_any =
+                |range: &Range<usize>| range.start.max(moving.start) < range.end.min(moving.end);
+            if !acting.clone().any(|range| is_any(&range)) {
+                continue;
+            }
+            let (sums, mut row) = (found.push(variable, DVec4::ZERO), 0);
             for range in acting.clone() {
                 let (first, end) = (range.start.max(moving.start), range.end.min(moving.end));
                 for (idx, slope) in slopes.iter().enumerate().take(end).skip(first) {
-                    sums.resize(factors.n_columns(), DVec4::ZERO);
                     let own = factors.row(row + idx - range.start);
                     sums.iter_mut().zip(own).for_each(|(sum, factor)| *sum += slope * factor);
                 }
                 row += range.len();
-            }
-            if !sums.is_empty() {
-                found.push((variable, sums));
             }
         }
         found
