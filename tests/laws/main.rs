@@ -74,6 +74,7 @@ mod tessellation;
 mod trajectory;
 mod triangles;
 mod varied;
+mod varied_limits;
 mod varied_walls;
 mod whole;
 mod worked;

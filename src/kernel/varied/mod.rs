@@ -43,7 +43,8 @@ pub use wall::VariedWall;
 const MANY_POINTS: usize = 4;
 
 /// The slopes of homogeneous control points by several variables: listed, or made of each point when it is asked for.
-/// Invariant: as many for every variable; those that are listed are finite.
+/// Invariant: as many for every variable; those that are listed are finite, and of those that are asked for one that is
+/// not makes no derivative: whoever asks refuses it.
 ///
 /// Half the sum of two points, the first of which moves along x with the second of three variables:
 ///
@@ -102,7 +103,8 @@ impl PointSlopes {
         Ok(Self { n_variables, n_points, form })
     }
 
-    /// The slopes of so many points by each of some variables, which are made when they are asked for.
+    /// The slopes of so many points by each of some variables, which are made when they are asked for; sums of them may be
+    /// beyond numbers, and are no jets then.
     pub(crate) fn asked(
         n_variables: usize,
         n_points: usize,
