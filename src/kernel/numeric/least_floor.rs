@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// By how many times nearer a function is asked each time, and how many times.
-const NEARER: f64 = 1e-3;
+const NEARER: f64 = 1e3;
 const N_NEARER: usize = 2;
 
 /// By how many times farther off it is asked each time.
@@ -51,10 +51,10 @@ const EDGE_WIDTH: f64 = 0.995;
 /// How often it is looked behind what seemed level whether it falls on there.
 const LEVEL_ROUNDS: usize = 3;
 
-/// The share of what it fell over the last tenth of that way that it falls at its very end, at least, and of its whole
-/// fall, at most, where it comes down to a level by a step of its own rounding.
+/// The share of what it fell over the last tenth of that way that it falls at its very end, at least, where it comes down
+/// to a level by a step of its own rounding; its whole fall is so many times as deep.
 const LEVEL_STEP: f64 = 0.25;
-const LEVEL_STEP_SHARE: f64 = 0.05;
+const STEPS_OF_A_FALL: f64 = 20.0;
 
 /// Unknowns that are looked along one by one; of more, along all together.
 const MOST_NEARER: usize = 3;
@@ -225,7 +225,7 @@ where
         for way in ways {
             let mut reach = LEAST_PROBE_RELATIVE;
             for _ in 0..N_NEARER {
-                reach *= NEARER;
+                reach /= NEARER;
                 let mut is_seen = false;
                 for side in [-reach, reach] {
                     let (place, values) = self.moved(&way, side)?;
@@ -284,7 +284,7 @@ where
             let [before, level] = self.level_from(k, first, (from, whole))?;
             let near = self.rise_before(k, first, from + 0.9 * (level.0 - from))?;
             // Down to the level by a step of rounding.
-            let is_step = LEVEL_STEP * near < before.1 && before.1 < LEVEL_STEP_SHARE * whole;
+            let is_step = LEVEL_STEP * near < before.1 && STEPS_OF_A_FALL * before.1 < whole;
             if near < LEVEL_APPROACH * whole || is_step {
                 return Ok(true);
             }
