@@ -248,7 +248,7 @@ const PAIRS: [[f64; 2]; 14] = [
     [1e-12, -1e6],
 ];
 
-const OF_ONE: [(Function, Known); 71] = [
+const OF_ONE: [(Function, Known); 72] = [
     (|a, _| (a - 3.0) * (a - 3.0), At(&[[3.0, 0.0]])),
     (|a, _| (a - 1e-6) * (a - 1e-6), At(&[[1e-6, 0.0]])),
     (|a, _| (a - 1e-9) * (a - 1e-9) + 1.0, At(&[[1e-9, 0.0]])),
@@ -314,6 +314,7 @@ const OF_ONE: [(Function, Known); 71] = [
     (|a, _| -(a * a + 1.0).ln(), Unbounded),
     (|a, _| -a.abs().sqrt(), Unbounded),
     (|a, _| -1e-20 * a, Unbounded),
+    (|a, _| (-a).exp() - a.exp(), Unbounded),
     (|a, _| -1e-20 * a * a + 1.0, Unbounded),
     (|a, _| 1.0 / (a * a + 1.0), Tends(0.0)),
     (|a, _| (-a).exp(), Tends(0.0)),

@@ -8,6 +8,7 @@ use super::{
     least_model::magnitude,
     least_problem::LeastEnd,
     least_search::LeastSearch,
+    pole_search::END_OF_NUMBERS,
 };
 
 /// The logarithm to the base of two of the first step: 64 times farther off.
@@ -18,9 +19,6 @@ const LEAST_STEP: f64 = 1.0;
 
 /// A place beyond which powers of it are no numbers.
 const FARTHEST: f64 = 1e150;
-
-/// A value below which numbers end soon.
-const END_OF_NUMBERS: f64 = -1e150;
 
 /// What a function does beyond.
 pub(super) enum Beyond {

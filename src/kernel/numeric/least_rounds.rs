@@ -7,8 +7,12 @@ use super::{
     least_floor::{AS_FAR, FAR_OUT, Floor},
     least_problem::{LeastEnd, LeastProblem},
     least_search::LeastSearch,
+    pole_search::END_OF_NUMBERS,
 };
-use crate::ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS};
+use crate::{
+    ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
+    tolerance::LEAST_PROBE_RELATIVE,
+};
 
 /// Rounds behind which places beside the end were better again and again, at most.
 const ROUNDS_LEFT: usize = 2;
@@ -78,6 +82,9 @@ impl RoundsBefore {
         let may_follow = !std::mem::take(&mut self.is_followed);
         let has_conditions = 1 < search.values.len();
         Ok(match end {
+            LeastEnd::Unbounded if search.merit(&search.values) < END_OF_NUMBERS => {
+                Floor::Other(end)
+            }
             LeastEnd::Unbounded => self.beyond(search, is_first, end)?,
             LeastEnd::Unattained if !has_conditions => self.beyond(search, is_first, end)?,
             LeastEnd::Settled | LeastEnd::Flat if !(is_first && end == LeastEnd::Flat) => {
@@ -159,12 +166,19 @@ where
             n_restarts += 1;
         }
         if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && self.is_at_pole()? {
-            end = LeastEnd::Pole;
+            end = if self.falls_outward()? { LeastEnd::Unbounded } else { LeastEnd::Pole };
         }
         if end == LeastEnd::Settled && self.only_tends()? {
             end = LeastEnd::Unattained;
         }
         Ok(end)
+    }
+
+    /// Whether the function falls from what looks like a pole a little farther out from zero too, where numbers end.
+    fn falls_outward(&mut self) -> Result<bool, E> {
+        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
+        let values = self.moved(&out, LEAST_PROBE_RELATIVE)?.1;
+        Ok(self.merit(&values) < self.merit(&self.values))
     }
 
     fn ended_by(&self, end: LeastEnd) -> Ended {
