@@ -84,19 +84,21 @@ impl VariedSurface {
         let at =
             |&t: &f64| knots.with_basis(t, |span, basis| (knots.support(span), basis.to_vec()));
         let acting: Vec<(RangeInclusive<usize>, Vec<f64>)> = parameters.iter().map(at).collect();
-        let sections = |points: &[DVec4]| -> Vec<Vec<DVec4>> {
-            let at = |line: &[DVec4]| -> Vec<DVec4> {
-                let place = |(support, basis): &(RangeInclusive<usize>, Vec<f64>)| {
+        let sections = |points: &[DVec4]| -> Vec<DVec4> {
+            let mut all = Vec::with_capacity(net.n_rows() * acting.len());
+            for line in points.chunks_exact(net.n_columns()) {
+                all.extend(acting.iter().map(|(support, basis)| -> DVec4 {
                     line[support.clone()].iter().zip(basis).map(|(&point, &n)| point * n).sum()
-                };
-                acting.iter().map(place).collect()
-            };
-            points.chunks_exact(net.n_columns()).map(at).collect()
+                }));
+            }
+            all
         };
         let lines = sections(net.as_slice());
         let mut speeds = Vec::new();
         for (variable, slopes) in self.slopes().by_variable() {
-            let Some((found, own)) = section_speeds(rule, &lines, &sections(slopes)) else {
+            let Some((found, own)) =
+                section_speeds(rule, parameters.len(), [&lines, &sections(slopes)])
+            else {
                 return Ok(None);
             };
             let is_same =
@@ -220,14 +222,14 @@ fn own_lines_twice(
     Ok(all)
 }
 
-/// The parameters of sections and how fast they move, from lines of their control points and the speeds of these; none
-/// where a point of a line comes to its neighbour.
+/// The parameters of so many sections and how fast they move, from lines of their control points, one behind the other,
+/// and the speeds of these; none where a point of a line comes to its neighbour.
 fn section_speeds(
     rule: SectionParameters,
-    lines: &[Vec<DVec4>],
-    slopes: &[Vec<DVec4>],
+    n_sections: usize,
+    [lines, slopes]: [&[DVec4]; 2],
 ) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (&first, &growth) = (lines.first()?.first()?, slopes.first()?.first()?);
+    let (&first, &growth) = (lines.first()?, slopes.first()?);
     let origin = [place(first), place_speed(first, growth)];
     let step = |line: &[DVec4], slope: &[DVec4], k: usize| -> Option<[f64; 2]> {
         let at = |k: usize| rule.measured_speed(origin, [line[k], slope[k]]);
@@ -247,19 +249,20 @@ fn section_speeds(
             }
         }
     };
-    let n_steps = lines.first()?.len() - 1;
-    let mut all: Vec<Vec<[f64; 2]>> = Vec::new();
-    for (line, slope) in lines.iter().zip(slopes) {
-        all.push((0..n_steps).map(|k| step(line, slope, k)).collect::<Option<_>>()?);
+    let n_steps = n_sections.checked_sub(1).filter(|n| 0 < *n)?;
+    let mut all: Vec<[f64; 2]> = Vec::with_capacity(lines.len());
+    for (line, slope) in lines.chunks_exact(n_sections).zip(slopes.chunks_exact(n_sections)) {
+        for k in 0..n_steps {
+            all.push(step(line, slope, k)?);
+        }
     }
-    let whole =
-        |steps: &Vec<[f64; 2]>| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-    let wholes: Vec<[f64; 2]> = all.iter().map(whole).collect();
+    let whole = |steps: &[[f64; 2]]| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    let wholes: Vec<[f64; 2]> = all.chunks_exact(n_steps).map(whole).collect();
     let longest = wholes.iter().map(|whole| whole[0]).fold(0.0, f64::max);
     let (mut found, mut speeds) = (vec![0.0], vec![0.0]);
     for k in 0..n_steps {
         let (mut mean, mut speed, mut n) = (0.0, 0.0, 0.0);
-        for (steps, [length, growth]) in all.iter().zip(&wholes) {
+        for (steps, [length, growth]) in all.chunks_exact(n_steps).zip(&wholes) {
             if VANISHING_RELATIVE * longest < *length {
                 let share = steps[k][0] / length;
                 mean += share;

@@ -141,7 +141,7 @@ impl VariedCurve {
         });
         let orders = Orders { most: order, of_surface: false };
         let sums = self.slopes.sums(std::iter::once(span - knots.degree()..span + 1), &factors);
-        let slopes = orders.in_space(&sums, &weights, &space);
+        let slopes = orders.in_space(&sums, (&weights, self.curve.is_rational()), &space);
         (space, slopes)
     }
 

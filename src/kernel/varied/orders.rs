@@ -36,17 +36,18 @@ impl Orders {
     pub(super) fn in_space(
         self,
         all: &VariableRows<DVec4>,
-        weights: &[f64],
+        (weights, is_rational): (&[f64], bool),
         space: &[DVec3],
     ) -> VariableRows<DVec3> {
         let mut found = VariableRows::new(self.len());
-        let has_weights = weights[0] != 1.0 || weights[1..].iter().any(|weight| *weight != 0.0);
         for (variable, own) in all.rows() {
             let slopes = found.push(variable, DVec3::ZERO);
-            if has_weights || own.iter().any(|slope| slope.w != 0.0) {
+            // One weight everywhere divides alike.
+            if is_rational || own.iter().any(|slope| slope.w != 0.0) {
                 self.row_in_space(own, weights, space, slopes);
             } else {
-                slopes.iter_mut().zip(own).for_each(|(slope, own)| *slope = own.truncate());
+                let pairs = slopes.iter_mut().zip(own);
+                pairs.for_each(|(slope, own)| *slope = own.truncate() / weights[0]);
             }
         }
         found

@@ -152,7 +152,7 @@ impl VariedSurface {
         let held: Vec<DVec3> = orders.all().map(|(k, l)| space.get(k, l)).collect();
         let (acting, factors) = self.acting(spans, [u, v], orders);
         let sums = self.slopes.sums(acting.iter().cloned(), &factors);
-        (space, orders.in_space(&sums, &weights, &held))
+        (space, orders.in_space(&sums, (&weights, self.surface.is_rational()), &held))
     }
 
     /// The control points that act on a patch, and by how much each does on the derivatives at a place.
