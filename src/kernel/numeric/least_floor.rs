@@ -212,7 +212,7 @@ where
         let n = self.place.len();
         let is_along = |k: usize| along.contains(&k);
         let oblique = [1.0, -1.0].map(|turn| -> Vec<f64> {
-            let part = |k: usize| if k % 2 == 0 { 1.0 } else { turn };
+            let part = |k: usize| if k.is_multiple_of(2) { 1.0 } else { turn };
             (0..n).map(|k| if is_along(k) { part(k) } else { 0.0 }).collect()
         });
         let mut ways: Vec<Vec<f64>> = match along.len() {
