@@ -3237,7 +3237,10 @@ def minimize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tu
     are exact where derivatives pass through all that the function does (see `gradient`), else central
     differences. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
     of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
-    the greatest value on a circle, is taken for the least. What does not settle in 5000 steps is refused. Nocedal &
+    the greatest value on a circle, is taken for the least. A start tells sizes that may be far from those over which the
+    function bends: without conditions it is looked nearer and farther off by the sizes that the answer itself has, down to
+    a billionth of the start and out by any power of it, and what is lower there is where the search begins anew. A level
+    that the function only tends to, as far as numbers tell, is refused. What does not settle in 5000 steps is refused. Nocedal &
     Wright, *Numerical Optimization*, ch. 18, §12.5.
 
     :param f: A function of the unknowns that yields a number; all may have a dimension.

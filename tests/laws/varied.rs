@@ -208,7 +208,7 @@ fn a_leg_without_length_has_no_slope() {
 }
 
 /// Points that go on along x, so that neighbours are apart, and how they move.
-fn moving_points() -> impl Strategy<Value = (Vec<DVec3>, Vec<DVec4>)> {
+pub(crate) fn moving_points() -> impl Strategy<Value = (Vec<DVec3>, Vec<DVec4>)> {
     vec((some::point(), some::point()), 2..12).prop_map(|all| {
         let place =
             |(i, (p, _)): (usize, &(DVec3, DVec3))| DVec3::new(4.0 * i as f64, 0.0, 0.0) + 0.15 * p;

@@ -130,6 +130,12 @@ pub(crate) const CURVATURE_UNKNOWNS: usize = 200;
 /// Times that such a search goes on from a better place beside its end, such as beside a saddle.
 pub(crate) const CONSTRAINED_RESTARTS: usize = 4;
 
+/// Times that such a search begins anew with the sizes that its last place tells.
+pub(crate) const CONSTRAINED_ROUNDS: usize = 12;
+
+/// Halvings of the way along which it came, for where the function became level.
+pub(crate) const EDGE_HALVINGS: usize = 40;
+
 /// Places within bounds from the best of which such a search begins.
 pub(crate) const CONSTRAINED_LOOKS: usize = 32;
 

@@ -1,5 +1,7 @@
 //! Surfaces whose lines are splines through points or sections, where the parameters of these move.
 
+use std::ops::RangeInclusive;
+
 use glam::{DVec3, DVec4};
 
 use super::{
@@ -39,24 +41,23 @@ impl VariedSurface {
         let net = surface.control_points();
         let n_variables = self.slopes().n_variables();
         let lines = lines_of(net.as_slice(), net, along);
-        let Some(moving) = moving_lines((&fit, ends), parameters, &lines, speeds)? else {
+        let Some(moving) = MovingLines::new((&fit, ends), parameters, &lines, speeds)? else {
             return Ok(None);
         };
-        let mut by_variable = Vec::new();
-        for variable in 0..n_variables {
-            let own = self.slopes().by_variable().iter().find(|(idx, _)| *idx == variable);
-            let own = own.map(|(_, slopes)| with_knots_twice(knots, lines_of(slopes, net, along)));
-            let moved =
-                speeds.iter().position(|(idx, _)| *idx == variable).map(|idx| moving[idx].clone());
-            let all = match (own.transpose()?, moved) {
-                (Some(own), Some(moved)) => {
-                    own.iter().zip(&moved).map(|(a, b)| sum(a, b)).collect()
+        let own = self.slopes().by_variable();
+        let twice = own_lines_twice(knots, own, net, along)?;
+        let by_variable = (0..n_variables).filter_map(|variable| {
+            let own = own.iter().position(|(idx, _)| *idx == variable);
+            let moved = speeds.iter().position(|(idx, _)| *idx == variable);
+            (own.is_some() || moved.is_some()).then(|| {
+                let mut all = moving.slopes(moved, along);
+                for (line, points) in own.into_iter().flat_map(|own| &twice[own]) {
+                    moving.add(&mut all, along, *line, (points, 1.0));
                 }
-                (Some(lines), None) | (None, Some(lines)) => lines,
-                (None, None) => continue,
-            };
-            by_variable.push((variable, net_of(&all, along)?.as_slice().to_vec()));
-        }
+                (variable, all)
+            })
+        });
+        let by_variable = by_variable.collect();
         let net = net_of(&with_knots_twice(knots, lines)?, along)?;
         let twice = knots.with(simple_inner(knots).unwrap_or(&[]));
         let [u, v] = match along {
@@ -80,16 +81,24 @@ impl VariedSurface {
         parameters: &[f64],
     ) -> Result<Option<Self>, GeomError> {
         let (knots, net) = (self.surface().knots_v(), self.surface().control_points());
-        let sections = |points: &[DVec4]| -> Vec<Vec<DVec4>> {
-            let at = |line: &Vec<DVec4>| {
-                parameters.iter().map(|&t| homogeneous_at(knots, line, t)).collect()
-            };
-            lines_of(points, net, Direction::V).iter().map(at).collect()
+        let at =
+            |&t: &f64| knots.with_basis(t, |span, basis| (knots.support(span), basis.to_vec()));
+        let acting: Vec<(RangeInclusive<usize>, Vec<f64>)> = parameters.iter().map(at).collect();
+        let sections = |points: &[DVec4]| -> Vec<DVec4> {
+            let mut all = Vec::with_capacity(net.n_rows() * acting.len());
+            for line in points.chunks_exact(net.n_columns()) {
+                all.extend(acting.iter().map(|(support, basis)| -> DVec4 {
+                    line[support.clone()].iter().zip(basis).map(|(&point, &n)| point * n).sum()
+                }));
+            }
+            all
         };
         let lines = sections(net.as_slice());
         let mut speeds = Vec::new();
         for (variable, slopes) in self.slopes().by_variable() {
-            let Some((found, own)) = section_speeds(rule, &lines, &sections(slopes)) else {
+            let Some((found, own)) =
+                section_speeds(rule, parameters.len(), [&lines, &sections(slopes)])
+            else {
                 return Ok(None);
             };
             let is_same =
@@ -103,43 +112,124 @@ impl VariedSurface {
     }
 }
 
-/// What lines do where the parameters of their points move: for each of the speeds, control points for each line. None where
-/// they are not the splines through these points, or have no slopes.
-fn moving_lines(
-    (fit, ends): (&Interpolator, Ends),
-    parameters: &[f64],
-    lines: &[Vec<DVec4>],
-    speeds: &[(usize, Vec<f64>)],
-) -> Result<Option<Vec<Vec<Vec<DVec4>>>>, GeomError> {
-    let mut moving = vec![Vec::new(); speeds.len()];
-    for line in lines {
-        let values: Vec<DVec4> =
-            parameters.iter().map(|&t| homogeneous_at(fit.knots(), line, t)).collect();
-        let tangents = [DVec4::ZERO; 2];
-        let spline = MovingSpline::new((fit, ends), parameters, &values, tangents)?;
-        let Some(spline) = spline.filter(|spline| are_near(spline.points(), line)) else {
-            return Ok(None);
-        };
-        let values = &vec![DVec4::ZERO; values.len()];
-        let all: Vec<SplineSpeeds<'_>> = speeds
-            .iter()
-            .map(|(_, parameters)| SplineSpeeds { parameters, values, tangents })
-            .collect();
-        for (found, own) in moving.iter_mut().zip(spline.slopes(&all)?) {
-            found.push(own);
-        }
-    }
-    Ok(Some(moving))
+/// What lines do where the parameters of their points move.
+struct MovingLines {
+    /// How fast the parameters move by each variable, in terms of `by_speed`.
+    shares: Vec<Vec<f64>>,
+    /// Control points of each line, for each speed.
+    by_speed: Vec<Vec<Vec<DVec4>>>,
+    /// How many there are of a line.
+    n_points: usize,
 }
 
-/// The parameters of sections and how fast they move, from lines of their control points and the speeds of these; none
-/// where a point of a line comes to its neighbour.
+impl MovingLines {
+    /// Of lines on the knots of a spline; none where they are not the splines through their points, or have no slopes.
+    ///
+    /// All speeds are sums of those of the single parameters, which are looked at where they are fewer.
+    fn new(
+        (fit, ends): (&Interpolator, Ends),
+        parameters: &[f64],
+        lines: &[Vec<DVec4>],
+        speeds: &[(usize, Vec<f64>)],
+    ) -> Result<Option<Self>, GeomError> {
+        let moves = |&k: &usize| speeds.iter().any(|(_, own)| own[k] != 0.0);
+        let moving: Vec<usize> = (0..parameters.len()).filter(moves).collect();
+        let (given, shares): (Vec<Vec<f64>>, Vec<Vec<f64>>) = if moving.len() < speeds.len() {
+            let single = |&k: &usize| unit(parameters.len(), k);
+            let of = |(_, own): &(usize, Vec<f64>)| moving.iter().map(|&k| own[k]).collect();
+            (moving.iter().map(single).collect(), speeds.iter().map(of).collect())
+        } else {
+            let own = |(_, own): &(usize, Vec<f64>)| own.clone();
+            let alone = (0..speeds.len()).map(|idx| unit(speeds.len(), idx));
+            (speeds.iter().map(own).collect(), alone.collect())
+        };
+        let tangents = [DVec4::ZERO; 2];
+        let mut by_speed = Vec::with_capacity(lines.len());
+        for line in lines {
+            let values: Vec<DVec4> =
+                parameters.iter().map(|&t| homogeneous_at(fit.knots(), line, t)).collect();
+            let spline = MovingSpline::new((fit, ends), parameters, &values, tangents)?;
+            let Some(spline) = spline.filter(|spline| are_near(spline.points(), line)) else {
+                return Ok(None);
+            };
+            let values = &vec![DVec4::ZERO; values.len()];
+            let all: Vec<SplineSpeeds<'_>> = given
+                .iter()
+                .map(|parameters| SplineSpeeds { parameters, values, tangents })
+                .collect();
+            by_speed.push(spline.slopes(&all)?);
+        }
+        let n_points = fit.knots().with(simple_inner(fit.knots()).unwrap_or(&[])).n_points();
+        Ok(Some(Self { shares, by_speed, n_points }))
+    }
+
+    /// The slopes of the net of all lines by one of the variables; none move by none.
+    fn slopes(&self, variable: Option<usize>, along: Direction) -> Vec<DVec4> {
+        let mut all = vec![DVec4::ZERO; self.by_speed.len() * self.n_points];
+        let Some(variable) = variable else { return all };
+        for (line, by_speed) in self.by_speed.iter().enumerate() {
+            for (points, &share) in by_speed.iter().zip(&self.shares[variable]) {
+                if share != 0.0 {
+                    self.add(&mut all, along, line, (points, share));
+                }
+            }
+        }
+        all
+    }
+
+    /// Adds a share of control points of a line to those of a net.
+    fn add(
+        &self,
+        net: &mut [DVec4],
+        along: Direction,
+        line: usize,
+        (points, share): (&[DVec4], f64),
+    ) {
+        let n_lines = self.by_speed.len();
+        let [first, step] = match along {
+            Direction::V => [line * self.n_points, 1],
+            Direction::U => [line, n_lines],
+        };
+        let own = net[first..].iter_mut().step_by(step);
+        own.zip(points).for_each(|(sum, &point)| *sum += point * share);
+    }
+}
+
+fn unit(n: usize, along: usize) -> Vec<f64> {
+    (0..n).map(|k| if k == along { 1.0 } else { 0.0 }).collect()
+}
+
+/// For each variable the lines of slopes that are not zero, over the knots of which each inner one stands twice.
+fn own_lines_twice(
+    knots: &KnotVector,
+    slopes: &[(usize, Vec<DVec4>)],
+    net: &Grid<DVec4>,
+    along: Direction,
+) -> Result<Vec<Vec<(usize, Vec<DVec4>)>>, GeomError> {
+    let (mut places, mut lines) = (Vec::new(), Vec::new());
+    for (variable, (_, slopes)) in slopes.iter().enumerate() {
+        for (idx, line) in lines_of(slopes, net, along).into_iter().enumerate() {
+            if line.iter().any(|slope| *slope != DVec4::ZERO) {
+                places.push((variable, idx));
+                lines.push(line);
+            }
+        }
+    }
+    let mut all = vec![Vec::new(); slopes.len()];
+    for ((variable, idx), line) in places.into_iter().zip(with_knots_twice(knots, lines)?) {
+        all[variable].push((idx, line));
+    }
+    Ok(all)
+}
+
+/// The parameters of so many sections and how fast they move, from lines of their control points, one behind the other,
+/// and the speeds of these; none where a point of a line comes to its neighbour.
 fn section_speeds(
     rule: SectionParameters,
-    lines: &[Vec<DVec4>],
-    slopes: &[Vec<DVec4>],
+    n_sections: usize,
+    [lines, slopes]: [&[DVec4]; 2],
 ) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (&first, &growth) = (lines.first()?.first()?, slopes.first()?.first()?);
+    let (&first, &growth) = (lines.first()?, slopes.first()?);
     let origin = [place(first), place_speed(first, growth)];
     let step = |line: &[DVec4], slope: &[DVec4], k: usize| -> Option<[f64; 2]> {
         let at = |k: usize| rule.measured_speed(origin, [line[k], slope[k]]);
@@ -159,19 +249,20 @@ fn section_speeds(
             }
         }
     };
-    let n_steps = lines.first()?.len() - 1;
-    let mut all: Vec<Vec<[f64; 2]>> = Vec::new();
-    for (line, slope) in lines.iter().zip(slopes) {
-        all.push((0..n_steps).map(|k| step(line, slope, k)).collect::<Option<_>>()?);
+    let n_steps = n_sections.checked_sub(1).filter(|n| 0 < *n)?;
+    let mut all: Vec<[f64; 2]> = Vec::with_capacity(lines.len());
+    for (line, slope) in lines.chunks_exact(n_sections).zip(slopes.chunks_exact(n_sections)) {
+        for k in 0..n_steps {
+            all.push(step(line, slope, k)?);
+        }
     }
-    let whole =
-        |steps: &Vec<[f64; 2]>| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-    let wholes: Vec<[f64; 2]> = all.iter().map(whole).collect();
+    let whole = |steps: &[[f64; 2]]| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    let wholes: Vec<[f64; 2]> = all.chunks_exact(n_steps).map(whole).collect();
     let longest = wholes.iter().map(|whole| whole[0]).fold(0.0, f64::max);
     let (mut found, mut speeds) = (vec![0.0], vec![0.0]);
     for k in 0..n_steps {
         let (mut mean, mut speed, mut n) = (0.0, 0.0, 0.0);
-        for (steps, [length, growth]) in all.iter().zip(&wholes) {
+        for (steps, [length, growth]) in all.chunks_exact(n_steps).zip(&wholes) {
             if VANISHING_RELATIVE * longest < *length {
                 let share = steps[k][0] / length;
                 mean += share;
@@ -232,10 +323,6 @@ fn homogeneous_at(knots: &KnotVector, line: &[DVec4], t: f64) -> DVec4 {
     knots.with_basis(t, |span, values| {
         line[knots.support(span)].iter().zip(values).map(|(&point, &n)| point * n).sum()
     })
-}
-
-fn sum(a: &[DVec4], b: &[DVec4]) -> Vec<DVec4> {
-    a.iter().zip(b).map(|(a, b)| a + b).collect()
 }
 
 fn are_near(a: &[DVec4], b: &[DVec4]) -> bool {

@@ -3,7 +3,7 @@
 //! All fail with [`LocalError::NotDifferentiable`] at a place where the function has a value but
 //! not the derivatives, or has no value; and with [`LocalError::DerivativeBeyondNumbers`].
 
-use super::{Jet, JetTerms, series};
+use super::{Jet, JetShape, JetTerms, series};
 use crate::{GeomError, LocalError};
 
 type JetResult = Result<Jet, GeomError>;
@@ -208,6 +208,30 @@ impl Jet {
             x if x < 0.0 => Ok(self.scaled(-1.0)),
             x => no_derivative("the magnitude", x),
         }
+    }
+
+    /// The scalar product of vectors.
+    #[must_use]
+    pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {
+        if let JetShape::Several { .. } = a[0].shape
+            && a.iter().chain(b).all(|jet| jet.shape == a[0].shape)
+        {
+            let [of_a, of_b] = [a, b].map(|all| [0, 1, 2].map(|axis: usize| all[axis].value()));
+            let coefficient = |i: usize| {
+                let [x, y, z] = [0, 1, 2].map(|axis: usize| match i {
+                    0 => of_a[axis] * of_b[axis],
+                    i => {
+                        let [own, other] = [a, b].map(|all| all[axis].coefficients[i]);
+                        own * of_b[axis] + of_a[axis] * other
+                    }
+                });
+                x + y + z
+            };
+            let coefficients = (0..a[0].coefficients.len()).map(coefficient).collect();
+            return Self { shape: a[0].shape, coefficients };
+        }
+        let [x, y, z] = [0, 1, 2].map(|axis| a[axis].times(&b[axis]));
+        x.plus(&y).plus(&z)
     }
 
     /// The length of a vector of jets, without overflow on the way.

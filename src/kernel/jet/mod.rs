@@ -314,13 +314,6 @@ impl Jet {
         product
     }
 
-    /// The scalar product of vectors.
-    #[must_use]
-    pub fn dot(a: &[Self; 3], b: &[Self; 3]) -> Self {
-        let [x, y, z] = [0, 1, 2].map(|axis| a[axis].times(&b[axis]));
-        x.plus(&y).plus(&z)
-    }
-
     /// The quotient.
     ///
     /// # Errors

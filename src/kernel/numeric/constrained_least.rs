@@ -8,9 +8,9 @@
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
     least_problem::{LeastEnd, LeastProblem},
-    least_search::LeastSearch,
+    least_rounds::Ended,
 };
-use crate::ceiling::{CONSTRAINED_LOOKS, CONSTRAINED_RESTARTS};
+use crate::ceiling::CONSTRAINED_LOOKS;
 
 /// What a search for a least value found.
 ///
@@ -49,18 +49,7 @@ impl LeastProblem<'_> {
         functions: impl FnMut(&[f64], Wanted) -> Result<Answers, E>,
     ) -> Result<ConstrainedLeast, E> {
         let mut asked = CountedFunctions::new(functions);
-        let (mut unknowns, mut values, mut end) = self.searched(&mut asked)?;
-        if end == LeastEnd::Unbounded {
-            // It may have been far beside the unknowns at the start alone.
-            let beyond = LeastProblem { start: &unknowns, ..*self }.searched(&mut asked)?;
-            let is_told = match beyond.2 {
-                LeastEnd::Settled => self.has_values_around(&beyond.0, &mut asked)?,
-                told => matches!(told, LeastEnd::Pole | LeastEnd::Unattained),
-            };
-            if is_told {
-                (unknowns, values, end) = beyond;
-            }
-        }
+        let Ended { place: unknowns, values, end } = self.rounds(&mut asked)?;
         Ok(ConstrainedLeast {
             unknowns,
             values,
@@ -68,41 +57,6 @@ impl LeastProblem<'_> {
             n_evaluations: asked.n_evaluations,
             has_differences: asked.has_differences,
         })
-    }
-
-    /// Where one search from the start ends, and how.
-    fn searched<F, E>(
-        &self,
-        asked: &mut CountedFunctions<F>,
-    ) -> Result<(Vec<f64>, Vec<f64>, LeastEnd), E>
-    where
-        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
-    {
-        let mut search = LeastSearch::new(*self, asked)?;
-        let mut end = search.descend()?;
-        let mut n_restarts = 0;
-        loop {
-            let goes_on = match end {
-                LeastEnd::Settled => search.leaves_for_better()?,
-                LeastEnd::Contradictory => n_restarts == 0 && search.is_led_back()?,
-                _ => false,
-            };
-            if !goes_on {
-                break;
-            }
-            end = match n_restarts {
-                CONSTRAINED_RESTARTS => LeastEnd::Unsettled,
-                _ => search.descend()?,
-            };
-            n_restarts += 1;
-        }
-        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && search.is_at_pole()? {
-            end = LeastEnd::Pole;
-        }
-        if end == LeastEnd::Settled && search.only_tends()? {
-            end = LeastEnd::Unattained;
-        }
-        Ok((search.place, search.values, end))
     }
 
     /// The best of some places that are spread over the bounds, all of which are finite: the one with the

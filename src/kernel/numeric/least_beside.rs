@@ -24,8 +24,10 @@ use crate::{
 const REACHES: [f64; 3] = [1.0, 10.0, 100.0];
 
 /// Two places on both sides of the best one, the better one first, with their merits.
-struct Bracket {
+pub(super) struct Bracket {
     merits: [f64; 2],
+    /// Before and behind the best one.
+    along: [f64; 2],
     place: Vec<f64>,
     values: Vec<f64>,
 }
@@ -37,24 +39,32 @@ where
     /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
-        let n = self.place.len();
-        let mut best: Option<Bracket> = None;
-        for k in 0..n {
-            let sides = self.sides(&axis(n, k), LEAST_PROBE_RELATIVE, &[])?;
-            if best.as_ref().is_none_or(|best| sides.merits[0] < best.merits[0]) {
-                best = Some(sides);
-            }
-        }
+        let best = self.look_beside()?;
         if best.is_some_and(|best| self.leaves_for(best)) {
             return Ok(true);
         }
         self.leaves_by_curvature()
     }
 
+    /// Looks at both sides along each unknown, and keeps what is there; those of which the better one is best.
+    pub(super) fn look_beside(&mut self) -> Result<Option<Bracket>, E> {
+        let n = self.place.len();
+        self.beside.clear();
+        let mut best: Option<Bracket> = None;
+        for k in 0..n {
+            let sides = self.sides(&axis(n, k), LEAST_PROBE_RELATIVE, &[])?;
+            self.beside.push(sides.along);
+            if best.as_ref().is_none_or(|best| sides.merits[0] < best.merits[0]) {
+                best = Some(sides);
+            }
+        }
+        Ok(best)
+    }
+
     /// Goes to a place that is better than this one.
     fn leaves_for(
         &mut self,
-        Bracket { merits: [least, opposite], place, values }: Bracket,
+        Bracket { merits: [least, opposite], place, values, .. }: Bracket,
     ) -> bool {
         let merit = self.merit(&self.values);
         // Down on one side by about as much as up on the other: a slope, however small.
@@ -73,10 +83,11 @@ where
         let [before, behind] =
             [self.led_along(way, -reach, held)?, self.led_along(way, reach, held)?];
         let merits = [self.merit(&before.1), self.merit(&behind.1)];
+        let along = merits;
         let is_before = merits[0] <= merits[1];
         let merits = if is_before { merits } else { [merits[1], merits[0]] };
         let (place, values) = if is_before { before } else { behind };
-        Ok(Bracket { merits, place, values })
+        Ok(Bracket { merits, along, place, values })
     }
 
     /// The place along a way, led back to where the conditions hold and those that are held are zero, and the values there.

@@ -71,7 +71,9 @@ where
             ways.extend(free);
         }
         let ended = (self.place.clone(), self.values.clone());
-        let best = (self.place.clone(), self.weighted(&self.values)[0]);
+        // Of what is flat by itself no value counts for more than it is.
+        let share = self.weights[0].min(1.0);
+        let best = (self.place.clone(), share * self.values[0]);
         let allowed = self.most_broken().max(CONDITION_RELATIVE);
         let units = self.units.clone();
         let search = PoleSearch {
@@ -84,7 +86,7 @@ where
                 let weighted = self.weighted(&values);
                 let is_there = weighted.iter().all(|value| value.is_finite())
                     && self.problem.broken(&weighted).all(|broken| broken <= allowed);
-                Ok(is_there.then_some((place, weighted[0])))
+                Ok(is_there.then(|| (place, share * values[0])))
             },
             spacing: |place: &[f64], way: usize| {
                 let parts = place.iter().zip(&units).zip(&ways[way]);

@@ -25,14 +25,20 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) units: Vec<f64>,
     /// What each function counts with: its steepness at the start is one, or where that is next to none its change over
     /// sizes that were widened.
-    weights: Vec<f64>,
+    pub(super) weights: Vec<f64>,
     pub(super) place: Vec<f64>,
     pub(super) values: Vec<f64>,
     /// The weight of each broken condition.
     pub(super) penalties: Vec<f64>,
     /// The weighted gradients at the place where the steps ended.
     pub(super) slopes: Vec<Vec<f64>>,
-    trail: LeastTrail,
+    pub(super) trail: LeastTrail,
+    /// Whether places beside its end were better again and again.
+    pub(super) is_left: bool,
+    /// The penalized value where the search began.
+    pub(super) first_merit: f64,
+    /// The penalized values beside the place at which the search settled, on both sides along each unknown.
+    pub(super) beside: Vec<[f64; 2]>,
 }
 
 impl<'a, F, E> LeastSearch<'a, F>
@@ -58,6 +64,9 @@ where
             penalties: vec![0.0; n_conditions],
             slopes: Vec::new(),
             trail: LeastTrail::default(),
+            beside: Vec::new(),
+            is_left: false,
+            first_merit: 0.0,
         };
         let mut gradients = search.gradients()?;
         let narrow = search.units.clone();
@@ -69,10 +78,12 @@ where
             // A slope that is nothing beside that change tells nothing of the function's.
             let slope = magnitude(gradient);
             let steepness = if slope < LAST_BIT.sqrt() * change { change } else { slope };
-            if 0.0 < steepness && steepness.is_finite() {
-                search.weights[idx] = 1.0 / steepness;
+            let weight = 1.0 / steepness;
+            if 0.0 < weight && weight.is_finite() {
+                search.weights[idx] = weight;
             }
         }
+        search.first_merit = search.merit(&search.values);
         Ok(search)
     }
 
@@ -182,10 +193,15 @@ where
         Ok(LeastEnd::Unsettled)
     }
 
+    /// How many times the unknowns' sizes the place is away from zero.
+    pub(super) fn distance(&self) -> f64 {
+        let sizes = self.place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs());
+        sizes.fold(0.0, f64::max)
+    }
+
     /// How it ends where the place is many times the unknowns' sizes away from zero.
     fn end_far_away(&mut self) -> Option<LeastEnd> {
-        let sizes = self.place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs());
-        let distance = sizes.fold(0.0, f64::max);
+        let distance = self.distance();
         self.trail.keep(distance, self.values[0]);
         (LEAST_FAR < distance).then(|| match self.trail.falls_ever_less() {
             true => LeastEnd::Unattained,

@@ -1,7 +1,7 @@
 //! Typical sizes of the unknowns of a search for a least value.
 
 use super::{
-    answers::{Answers, CountedFunctions, Wanted},
+    answers::{Answers, Wanted},
     least_model::magnitude,
     least_problem::LeastProblem,
     least_search::{LeastSearch, clamped},
@@ -29,21 +29,19 @@ impl LeastProblem<'_> {
         };
         place.iter().zip(self.bounds).map(unit).collect()
     }
+}
 
-    /// Whether the functions have values beside a place on both sides in each unknown.
-    pub(super) fn has_values_around<F, E>(
-        &self,
-        place: &[f64],
-        asked: &mut CountedFunctions<F>,
-    ) -> Result<bool, E>
-    where
-        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
-    {
-        for (k, unit) in self.units(place).into_iter().enumerate() {
+impl<F, E> LeastSearch<'_, F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    /// Whether the functions have values beside the place on both sides in each unknown.
+    pub(super) fn has_values_around(&mut self) -> Result<bool, E> {
+        for (k, unit) in self.problem.units(&self.place).into_iter().enumerate() {
             for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
-                let mut beside = place.to_vec();
+                let mut beside = self.place.clone();
                 beside[k] += side * unit;
-                let values = asked.values(&clamped(&beside, self.bounds))?;
+                let values = self.asked.values(&clamped(&beside, self.problem.bounds))?;
                 if !values.iter().all(|value| value.is_finite()) {
                     return Ok(false);
                 }
@@ -51,12 +49,7 @@ impl LeastProblem<'_> {
         }
         Ok(true)
     }
-}
 
-impl<F, E> LeastSearch<'_, F>
-where
-    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
-{
     /// Widens the sizes of unknowns that nothing bounds and that begin nearer to zero than others or one, where the
     /// functions hardly change over them: up to where one does, at most to the size of an unknown that begins at zero.
     /// By how much each function changes over those that were widened.

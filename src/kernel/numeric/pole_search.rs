@@ -28,7 +28,7 @@ const ROUNDS: usize = 400;
 const STEPS: usize = 12_288;
 
 /// A value below which numbers end soon.
-const END_OF_NUMBERS: f64 = -1e150;
+pub(super) const END_OF_NUMBERS: f64 = -1e150;
 
 /// A place with the value there.
 type ValuedPoint = (Vec<f64>, f64);

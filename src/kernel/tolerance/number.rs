@@ -309,3 +309,20 @@ pub(crate) const INTEGRAL_NEAR_SHARE: f64 = 1e-6;
 ///
 /// Larger takes bends inside for what happens at the end; smaller misses places a little inside of it.
 pub(crate) const INTEGRAL_END_SHARE: f64 = 1e-3;
+
+/// A place at which a search for a least value settled is none where another, by other sizes, is lower by this fraction of
+/// its value.
+///
+/// Larger keeps what is no least value; smaller goes on where a function's own roundings are lower.
+pub(crate) const LEAST_LOWER_RELATIVE: f64 = 1e-11;
+
+/// A function lies level where it is above its least value by less than this share of its whole fall.
+///
+/// Larger ends before its level; smaller takes roundings of the function for a slope.
+pub(crate) const LEAST_LEVEL_RELATIVE: f64 = 1e-10;
+
+/// The share of its whole fall by which a function still falls over the last tenth of the way to where it lies level, if it
+/// comes down to that at a place; one that falls by less tends to it.
+///
+/// Larger refuses what is smooth where it becomes level; smaller takes what rounding reaches for what is attained.
+pub(crate) const LEVEL_APPROACH: f64 = 1e-6;

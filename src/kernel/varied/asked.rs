@@ -5,7 +5,7 @@ use std::{fmt, ops::Range, sync::OnceLock};
 
 use glam::{DVec3, DVec4};
 
-use super::listed::ListedSlopes;
+use super::{listed::ListedSlopes, rows::VariableRows};
 use crate::{Grid, work};
 
 /// The slopes of a sum of control points, with a factor for each, by each of some variables.
@@ -91,12 +91,11 @@ impl AskedSlopes {
         &self,
         acting: impl Iterator<Item = Range<usize>>,
         factors: &Grid<f64>,
-    ) -> Vec<(usize, Vec<DVec4>)> {
-        let still = vec![DVec4::ZERO; factors.n_columns()];
-        let mut found: Vec<(usize, Vec<DVec4>)> =
-            self.variables.iter().map(|&variable| (variable, still.clone())).collect();
+    ) -> VariableRows<DVec4> {
+        let variables = self.variables.clone();
+        let mut found = VariableRows::filled(variables, factors.n_columns(), DVec4::ZERO);
         for (row, point) in acting.flatten().enumerate() {
-            for ((_, sums), slope) in found.iter_mut().zip(self.of_point(point)) {
+            for (sums, slope) in found.rows_mut().zip(self.of_point(point)) {
                 let own = sums.iter_mut().zip(factors.row(row));
                 own.for_each(|(sum, factor)| *sum += slope.extend(0.0) * *factor);
             }

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
-use super::{PointSlopes, orders::Orders};
+use super::{PointSlopes, orders::Orders, rows::VariableRows};
 use crate::{
     GeomError, Grid, Jet, LocalError, NurbsCurve, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -123,21 +123,14 @@ impl VariedCurve {
                 self.check_meeting(spans, t.value(), order)?;
             }
         }
-        let vector = |k: usize| {
-            let own = slopes.iter().map(|(variable, slopes)| (*variable, slopes[k]));
-            self.slopes.vector(space[k], own, &[(t, space[k + 1])])
-        };
+        let vector =
+            |k: usize| self.slopes.vector(space[k], slopes.column(k), &[(t, space[k + 1])]);
         (0..=order).map(vector).collect()
     }
 
     /// Derivatives up to one more than an order by the piece over a span, and their slopes by each variable that
     /// moves it, up to the order.
-    fn slopes_on(
-        &self,
-        span: usize,
-        t: f64,
-        order: usize,
-    ) -> (Vec<DVec3>, Vec<(usize, Vec<DVec3>)>) {
+    fn slopes_on(&self, span: usize, t: f64, order: usize) -> (Vec<DVec3>, VariableRows<DVec3>) {
         let knots = self.curve.knots();
         let weighted = self.curve.homogeneous_derivatives(span, t, order + 1);
         let space = homogeneous::quotient(&weighted);
@@ -148,10 +141,8 @@ impl VariedCurve {
         });
         let orders = Orders { most: order, of_surface: false };
         let sums = self.slopes.sums(std::iter::once(span - knots.degree()..span + 1), &factors);
-        let in_space = |(variable, own): (usize, Vec<DVec4>)| {
-            (variable, orders.in_space(&own, &weights, &space))
-        };
-        (space.clone(), sums.into_iter().map(in_space).collect())
+        let slopes = orders.in_space(&sums, (&weights, self.curve.is_rational()), &space);
+        (space, slopes)
     }
 
     /// Fails where the pieces beside a knot that moves grow in different ways.
@@ -159,7 +150,7 @@ impl VariedCurve {
         let [before, behind] = spans.map(|span| {
             let mut all = vec![vec![DVec3::ZERO; order + 1]; self.slopes.n_variables()];
             let own = self.slopes_on(span, t, order).1;
-            own.into_iter().for_each(|(variable, slopes)| all[variable] = slopes);
+            own.rows().for_each(|(variable, slopes)| all[variable] = slopes.to_vec());
             all
         });
         for (before, behind) in before.iter().flatten().zip(behind.iter().flatten()) {

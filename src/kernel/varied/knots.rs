@@ -6,7 +6,7 @@
 
 use glam::DVec4;
 
-use crate::{GeomError, KnotVector, refine::ControlLines};
+use crate::{GeomError, KnotVector, bezier::blend, refine::ControlLines};
 
 /// The derivatives of a spline by its inner knots, over the knots that have each of these twice.
 #[derive(Clone, Debug)]
@@ -27,10 +27,10 @@ impl KnotSlopes {
     /// None but those of knots that cannot be.
     pub(crate) fn new(knots: &KnotVector, points: &[DVec4]) -> Result<Option<Self>, GeomError> {
         let Some(inner) = simple_inner(knots) else { return Ok(None) };
-        let first = knots.degree() + 1;
-        let by_knot: Result<Vec<_>, GeomError> =
-            (0..inner.len()).map(|idx| derivative(knots, points, first + idx)).collect();
-        Ok(Some(Self { knots: knots.with(inner), by_knot: by_knot? }))
+        let (first, twice) = (knots.degree() + 1, knots.with(inner));
+        let of = |idx| derivative(knots, points, twice.as_slice(), first + idx);
+        let by_knot = (0..inner.len()).map(of).collect();
+        Ok(Some(Self { knots: twice, by_knot }))
     }
 
     /// How a sum of control points over [`Self::knots`], with a factor for each, changes with each inner knot.
@@ -77,49 +77,56 @@ pub(crate) fn with_knots_twice(
     Ok(ControlLines { knots: knots.clone(), lines }.with_knots(&inner)?.lines)
 }
 
-/// The derivative by knot r over knots that all stand twice inside: its control points that are not zero.
+/// The derivative by knot r over knots that all stand twice inside: its control points that are not zero, and where they
+/// begin.
 ///
-/// Its support ends with the knots r − p and r + p, so that only the knots around it are looked at.
+/// Each is the blossom of the derivative, over the knots with r once more, at the knots between those at which it begins
+/// and ends. Ramshaw, *Blossoms are polar forms* (1989).
 fn derivative(
     knots: &KnotVector,
     points: &[DVec4],
+    twice: &[f64],
     r: usize,
-) -> Result<(usize, Vec<DVec4>), GeomError> {
+) -> (usize, Vec<DVec4>) {
     let (all, p) = (knots.as_slice(), knots.degree());
-    let mut once_more = all.to_vec();
-    once_more.insert(r, all[r]);
-    // From one knot before the support, which is not to be an end of what is looked at.
-    let from = r.saturating_sub(2 * p + 1);
-    let to = (r + 2 * p + 2).min(once_more.len() - 1);
-    let own = KnotVector::new(p, once_more[from..=to].to_vec())?;
+    let once_more = |i: usize| if i <= r { all[i] } else { all[i - 1] };
     let control_point = |i: usize| match (r - p..=r).contains(&i) {
-        true => (points[i - 1] - points[i]) / (once_more[i + p + 1] - once_more[i]),
+        true => (points[i - 1] - points[i]) / (once_more(i + p + 1) - once_more(i)),
         false => DVec4::ZERO,
     };
-    let line: Vec<DVec4> = (from..to - p).map(control_point).collect();
-    let domain = own.domain();
-    let others: Vec<f64> = own.as_slice()[p + 1..own.as_slice().len() - p - 1]
-        .iter()
-        .copied()
-        .filter(|&knot| {
-            domain.start() < knot && knot < domain.end() && (knot < all[r] || all[r] < knot)
-        })
-        .collect();
-    let lines = ControlLines { knots: own, lines: vec![line] }.with_knots(&others)?;
-    let is_before = |knot: &&f64| **knot < all[r];
-    let n_before = lines.knots.as_slice().iter().take_while(is_before).count();
-    // Of the knots before it, all but those at the start stand twice.
-    let first = p + 1 + 2 * (r - p - 1);
-    let mut line = lines.lines.concat();
+    // Of the knots before r, all but those at the start stand twice.
+    let twice_of = |i: usize| if i <= p { i } else { p + 1 + 2 * (i - p - 1) };
+    let (from, to) = (twice_of(r - p), (twice_of(r) + p).min(twice.len() - p - 2));
+    let mut corners = vec![DVec4::ZERO; p + 1];
+    let mut line = Vec::with_capacity(to + 1 - from);
+    for j in from..=to {
+        let is_wide = |m: &usize| twice[*m] < twice[m + 1];
+        let Some(m) = (j..=j + p).filter(is_wide).min_by_key(|m| (2 * m).abs_diff(2 * j + p))
+        else {
+            line.push(DVec4::ZERO);
+            continue;
+        };
+        // The span of the same interval, behind r once more.
+        let own = all.partition_point(|knot| *knot <= twice[m]) - 1;
+        let span = if all[r] <= twice[m] { own + 1 } else { own };
+        for (corner, i) in corners.iter_mut().zip(span - p..) {
+            *corner = control_point(i);
+        }
+        for (level, &t) in twice[j + 1..=j + p].iter().enumerate() {
+            for k in (level + 1..=p).rev() {
+                let i = span - p + k;
+                let [low, high] = [once_more(i), once_more(i + p - level)];
+                corners[k] = blend(corners[k - 1], corners[k], (t - low) / (high - low));
+            }
+        }
+        line.push(corners[p]);
+    }
     let n_zeros = line.iter().take_while(|point| **point == DVec4::ZERO).count();
     line.drain(..n_zeros);
     while line.last().is_some_and(|point| *point == DVec4::ZERO) {
         line.pop();
     }
-    match line.is_empty() {
-        true => Ok((0, line)),
-        false => Ok((first + n_zeros - n_before, line)),
-    }
+    if line.is_empty() { (0, line) } else { (from + n_zeros, line) }
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ pub(crate) mod knots;
 mod length;
 mod listed;
 mod orders;
+mod rows;
 mod solid;
 mod surface;
 mod wall;
@@ -25,7 +26,7 @@ use std::{ops::Range, sync::Arc};
 
 use glam::{DVec3, DVec4};
 
-use self::{asked::AskedSlopes, listed::ListedSlopes};
+use self::{asked::AskedSlopes, listed::ListedSlopes, rows::VariableRows};
 use super::{CountError, GeomError, Grid, Jet};
 
 pub(crate) use asked::{AllSlopes, SlopeWays};
@@ -42,7 +43,8 @@ pub use wall::VariedWall;
 const MANY_POINTS: usize = 4;
 
 /// The slopes of homogeneous control points by several variables: listed, or made of each point when it is asked for.
-/// Invariant: as many for every variable; those that are listed are finite.
+/// Invariant: as many for every variable; those that are listed are finite, and of those that are asked for one that is
+/// not makes no derivative: whoever asks refuses it.
 ///
 /// Half the sum of two points, the first of which moves along x with the second of three variables:
 ///
@@ -101,7 +103,8 @@ impl PointSlopes {
         Ok(Self { n_variables, n_points, form })
     }
 
-    /// The slopes of so many points by each of some variables, which are made when they are asked for.
+    /// The slopes of so many points by each of some variables, which are made when they are asked for; sums of them may be
+    /// beyond numbers, and are no jets then.
     pub(crate) fn asked(
         n_variables: usize,
         n_points: usize,
@@ -201,25 +204,26 @@ impl PointSlopes {
         &self,
         acting: impl Iterator<Item = Range<usize>> + Clone,
         factors: &Grid<f64>,
-    ) -> Vec<(usize, Vec<DVec4>)> {
+    ) -> VariableRows<DVec4> {
         let listed = match &self.form {
             SlopeForm::Listed(listed) => listed,
             SlopeForm::Asked(asked) => return asked.sums(acting, factors),
         };
-        let mut found = Vec::new();
+        let mut found = VariableRows::new(factors.n_columns());
         for (variable, moving, slopes) in listed.moving() {
-            let (mut sums, mut row) = (Vec::new(), 0);
+            let is_any =
+                |range: &Range<usize>| range.start.max(moving.start) < range.end.min(moving.end);
+            if !acting.clone().any(|range| is_any(&range)) {
+                continue;
+            }
+            let (sums, mut row) = (found.push(variable, DVec4::ZERO), 0);
             for range in acting.clone() {
                 let (first, end) = (range.start.max(moving.start), range.end.min(moving.end));
                 for (idx, slope) in slopes.iter().enumerate().take(end).skip(first) {
-                    sums.resize(factors.n_columns(), DVec4::ZERO);
                     let own = factors.row(row + idx - range.start);
                     sums.iter_mut().zip(own).for_each(|(sum, factor)| *sum += slope * factor);
                 }
                 row += range.len();
-            }
-            if !sums.is_empty() {
-                found.push((variable, sums));
             }
         }
         found

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::binomials;
+use super::{binomials, rows::VariableRows};
 
 /// Orders of derivatives up to a total one: by the parameter of a curve, or by both of a surface.
 #[derive(Clone, Copy, Debug)]
@@ -30,11 +30,31 @@ impl Orders {
         }
     }
 
-    /// The slopes of derivatives in space, from those of the homogeneous ones: of Leibniz' rule for w·S.
+    /// The slopes of derivatives in space by each variable, from those of the homogeneous ones: of Leibniz' rule for w·S.
     ///
     /// Piegl & Tiller, *The NURBS Book*, (4.8) and (4.20).
-    pub(super) fn in_space(self, own: &[DVec4], weights: &[f64], space: &[DVec3]) -> Vec<DVec3> {
-        let mut slopes: Vec<DVec3> = Vec::with_capacity(own.len());
+    pub(super) fn in_space(
+        self,
+        all: &VariableRows<DVec4>,
+        (weights, is_rational): (&[f64], bool),
+        space: &[DVec3],
+    ) -> VariableRows<DVec3> {
+        let mut found = VariableRows::new(self.len());
+        for (variable, own) in all.rows() {
+            let slopes = found.push(variable, DVec3::ZERO);
+            // One weight everywhere divides alike.
+            if is_rational || own.iter().any(|slope| slope.w != 0.0) {
+                self.row_in_space(own, weights, space, slopes);
+            } else {
+                let pairs = slopes.iter_mut().zip(own);
+                pairs.for_each(|(slope, own)| *slope = own.truncate() / weights[0]);
+            }
+        }
+        found
+    }
+
+    /// Those by one variable.
+    fn row_in_space(self, own: &[DVec4], weights: &[f64], space: &[DVec3], slopes: &mut [DVec3]) {
         for (k, l) in self.all() {
             let mut sum = own[self.place(k, l)].truncate();
             for (i, of_u) in binomials(k).enumerate() {
@@ -46,8 +66,7 @@ impl Orders {
                     }
                 }
             }
-            slopes.push(sum / weights[0]);
+            slopes[self.place(k, l)] = sum / weights[0];
         }
-        slopes
     }
 }

@@ -2,9 +2,9 @@
 
 use std::{ops::Range, sync::Arc};
 
-use glam::{DVec3, DVec4};
+use glam::DVec3;
 
-use super::{PointSlopes, orders::Orders};
+use super::{PointSlopes, orders::Orders, rows::VariableRows};
 use crate::{
     CountError, GeomError, Grid, Jet, KnotVector, LocalError, NurbsSurface, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -131,9 +131,8 @@ impl VariedSurface {
         let orders = Orders { most: order, of_surface: true };
         let vector = |k: usize, l: usize| {
             let place = orders.place(k, l);
-            let own = slopes.iter().map(|(variable, slopes)| (*variable, slopes[place]));
             let growths = [(u, space.get(k + 1, l)), (v, space.get(k, l + 1))];
-            self.slopes.vector(space.get(k, l), own, &growths)
+            self.slopes.vector(space.get(k, l), slopes.column(place), &growths)
         };
         (0..=order).map(|k| (0..=order - k).map(|l| vector(k, l)).collect()).collect()
     }
@@ -145,19 +144,15 @@ impl VariedSurface {
         spans: [usize; 2],
         [u, v]: [f64; 2],
         order: usize,
-    ) -> (Grid<DVec3>, Vec<(usize, Vec<DVec3>)>) {
+    ) -> (Grid<DVec3>, VariableRows<DVec3>) {
         let weighted = self.surface.homogeneous_derivatives_on(spans, [u, v], order + 1);
         let space = homogeneous::quotient_grid(&weighted);
         let orders = Orders { most: order, of_surface: true };
         let weights: Vec<f64> = orders.all().map(|(k, l)| weighted.get(k, l).w).collect();
         let held: Vec<DVec3> = orders.all().map(|(k, l)| space.get(k, l)).collect();
         let (acting, factors) = self.acting(spans, [u, v], orders);
-        let in_space = |(variable, own): (usize, Vec<DVec4>)| {
-            (variable, orders.in_space(&own, &weights, &held))
-        };
-        let slopes =
-            self.slopes.sums(acting.iter().cloned(), &factors).into_iter().map(in_space).collect();
-        (space, slopes)
+        let sums = self.slopes.sums(acting.iter().cloned(), &factors);
+        (space, orders.in_space(&sums, (&weights, self.surface.is_rational()), &held))
     }
 
     /// The control points that act on a patch, and by how much each does on the derivatives at a place.
@@ -191,27 +186,24 @@ impl VariedSurface {
     /// Fails where the patch beside a knot that moves grows in another way.
     fn check_meeting(
         &self,
-        slopes: &[(usize, Vec<DVec3>)],
+        slopes: &VariableRows<DVec3>,
         spans: [usize; 2],
         place: [f64; 2],
         order: usize,
     ) -> Result<(), GeomError> {
         let (_, beside) = self.slopes_on(spans, place, order);
         let points = self.surface.points();
-        let own = slopes.iter().flat_map(|(_, slopes)| slopes);
+        let own = slopes.vectors().iter();
         let size = own.chain(points.as_slice()).map(|vector| vector.length()).fold(0.0, f64::max);
         let allowed = LAST_BIT.sqrt() * size;
         let n_orders = Orders { most: order, of_surface: true }.len();
         let still = vec![DVec3::ZERO; n_orders];
-        let of = |all: &[(usize, Vec<DVec3>)], variable: usize| {
-            let own = all.iter().find(|(moving, _)| *moving == variable);
-            own.map_or_else(|| still.clone(), |(_, slopes)| slopes.clone())
+        let differ = |(variable, _): (usize, &[DVec3])| {
+            let [own, beside] =
+                [slopes, &beside].map(|all| all.row_of(variable).unwrap_or(&still).iter());
+            own.zip(beside).any(|(own, beside)| allowed < own.distance(*beside))
         };
-        let differ = |(variable, _): &(usize, Vec<DVec3>)| {
-            let (own, beside) = (of(slopes, *variable), of(&beside, *variable));
-            own.iter().zip(&beside).any(|(own, beside)| allowed < own.distance(*beside))
-        };
-        if slopes.iter().chain(&beside).any(differ) {
+        if slopes.rows().chain(beside.rows()).any(differ) {
             let what = "the surface at its knot";
             return Err(LocalError::NotDifferentiable { what, at: place[0] }.into());
         }

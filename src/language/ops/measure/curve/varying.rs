@@ -66,10 +66,12 @@ pub(super) fn bending(d: &[Vector]) -> Measured<Vector> {
 
 /// |C' × C''|/|C'|³; where it is zero it has derivatives only where the curve is straight all around.
 pub(super) fn curvature(d: &[Vector], value: f64) -> Measured<Real> {
-    let bending = bending(d)?;
-    let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
-    if value == 0.0 && bending.magnitude() <= rounding {
-        return Ok(Real::Plain(0.0));
+    if value == 0.0 {
+        let bending = bending(d)?;
+        let rounding = LAST_BIT.sqrt() * (d[1].over(&d[1].dot(&d[1]))?).magnitude();
+        if bending.magnitude() <= rounding {
+            return Ok(Real::Plain(0.0));
+        }
     }
     let (axis, speed) = (d[1].cross(&d[2]), d[1].norm()?);
     // Beside an inflection the value is nothing but rounding, while its derivatives are well known.

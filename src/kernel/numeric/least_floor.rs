@@ -1,0 +1,325 @@
+//! Whether what a search for a least value found is one, by other sizes than those that it began with.
+//!
+//! The sizes of unknowns at a start may be far from those over which a function bends: beside its end it is asked nearer,
+//! where an unknown came to be small beside its size, and farther off, as long as rounding hides whether it rises. What
+//! rises on one side alone has come to a level: it lies there if it came down to that at a place, and tends to what it
+//! attains nowhere if it came nearer and nearer.
+
+use super::{
+    answers::{Answers, Wanted},
+    least_beside::axis,
+    least_problem::LeastEnd,
+    least_search::LeastSearch,
+};
+use crate::{
+    ceiling::EDGE_HALVINGS,
+    tolerance::{
+        LAST_BIT, LEAST_FAR, LEAST_LEVEL_RELATIVE, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
+        LEVEL_APPROACH,
+    },
+};
+
+/// By how many times nearer a function is asked each time, and how many times.
+const NEARER: f64 = 1e3;
+const N_NEARER: usize = 2;
+
+/// By how many times farther off it is asked each time.
+const FARTHER: f64 = 100.0;
+
+/// Last bits of a value that a change of it must have to be seen.
+const ROUNDINGS: f64 = 16.0;
+
+/// How many times the unknowns' sizes away it is asked still farther off.
+pub(super) const FAR_OUT: f64 = 10.0;
+
+/// The same where it began far away.
+pub(super) const AS_FAR: f64 = 0.5;
+
+/// How many times farther, first and then.
+const OUTWARD: [f64; 2] = [7.0, 63.0];
+
+/// By how many times its height a function falls over the size of an unknown, at most and at least, where it is not near
+/// its least value.
+const STEEP: f64 = 30.0;
+
+/// By how many times a function rises on one side of a kink as steeply as on the other, at most and at least.
+const KINK_SLOPES: f64 = 10.0;
+
+/// The share of the way to where a function became level up to which it was not yet.
+const EDGE_WIDTH: f64 = 0.995;
+
+/// How often it is looked behind what seemed level whether it falls on there.
+const LEVEL_ROUNDS: usize = 3;
+
+/// The share of what it fell over the last tenth of that way that it falls at its very end, at least, where it comes down
+/// to a level by a step of its own rounding; its whole fall is so many times as deep.
+const LEVEL_STEP: f64 = 0.25;
+const STEPS_OF_A_FALL: f64 = 20.0;
+
+/// Unknowns that are looked along one by one; of more, along all together.
+const MOST_NEARER: usize = 3;
+
+/// What is beside the place at which a search settled.
+pub(super) enum Floor {
+    /// Nothing that is lower.
+    Told,
+    /// A place that is lower.
+    Lower(Vec<f64>),
+    /// What may be lower along a way that bends.
+    Followed,
+    /// That it does not settle there.
+    Other(LeastEnd),
+}
+
+/// What a function does on one side of a place.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Hidden,
+    Higher,
+}
+
+impl<F, E> LeastSearch<'_, F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    /// What is beside the place at which the search settled, where no condition tells of other sizes; `first` is where the
+    /// first of its rounds began.
+    pub(super) fn floor(
+        &mut self,
+        first: &[f64],
+        may_follow: bool,
+        far_out: f64,
+    ) -> Result<Floor, E> {
+        if 1 < self.values.len() {
+            return Ok(Floor::Told);
+        }
+        let n = self.place.len();
+        let unbounded: Vec<usize> = (0..n)
+            .filter(|&k| self.problem.bounds[k].iter().any(|end| end.is_infinite()))
+            .collect();
+        let small: Vec<usize> = (unbounded.iter().copied())
+            .filter(|&k| self.place[k].abs() < LEAST_PROBE_RELATIVE * self.units[k])
+            .collect();
+        if let Some(lower) = self.lower_nearer(&small)? {
+            return Ok(Floor::Lower(lower));
+        }
+        if self.beside.len() != n {
+            self.look_beside()?;
+        }
+        let mut n_hidden = 0;
+        for &k in &unbounded {
+            for (side, merit) in
+                [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE].into_iter().zip(self.beside[k])
+            {
+                if self.is_lower(merit) {
+                    return Ok(Floor::Lower(self.moved(&axis(n, k), side)?.0));
+                }
+            }
+            let mut sides = [0, 1].map(|side| self.side(self.beside[k][side]));
+            if let Some(lower) = self.lower_farther(k, &mut sides)? {
+                return Ok(Floor::Lower(lower));
+            }
+            match sides {
+                [Side::Higher, Side::Higher] => {
+                    if let Some(floor) = self.outward(k, first[k], far_out)? {
+                        return Ok(floor);
+                    }
+                }
+                [Side::Hidden, Side::Hidden] => n_hidden += 1,
+                _ if self.tends(k, first[k])? => {
+                    return Ok(Floor::Other(LeastEnd::Unattained));
+                }
+                _ => {}
+            }
+        }
+        if 0 < n && n_hidden == n {
+            return Ok(Floor::Other(LeastEnd::Flat));
+        }
+        let fall = self.first_merit - self.merit(&self.values);
+        let fell_by_half = 0.5 * self.first_merit.abs() < fall;
+        Ok(match (self.may_go_on(&unbounded), may_follow || fell_by_half) {
+            (true, true) => Floor::Followed,
+            (true, false) => Floor::Other(LeastEnd::Unsettled),
+            (false, _) => Floor::Told,
+        })
+    }
+
+    /// What is farther out from zero along an unknown that is many times its size away, where the function is no higher
+    /// even there: it came to where its own rounding hides how it falls.
+    fn outward(&mut self, k: usize, first: f64, far_out: f64) -> Result<Option<Floor>, E> {
+        let out = self.place[k] / self.units[k];
+        let size = if first == 0.0 { self.units[k] } else { self.units[k].min(first.abs()) };
+        if self.place[k].abs() < far_out * size {
+            return Ok(None);
+        }
+        let way: Vec<f64> = axis(self.place.len(), k).iter().map(|part| part * out).collect();
+        let here = self.merit(&self.values);
+        let (place, values) = self.moved(&way, OUTWARD[0])?;
+        let merit = self.merit(&values);
+        if here < merit || self.is_still(k, &place) {
+            return Ok(None);
+        }
+        let farther = self.moved(&way, OUTWARD[1])?.1;
+        if merit < self.merit(&farther) {
+            return Ok(None);
+        }
+        if self.is_lower(merit) {
+            return Ok(Some(Floor::Lower(place)));
+        }
+        Ok(self.tends(k, first)?.then_some(Floor::Other(LeastEnd::Unattained)))
+    }
+
+    /// Whether the function still falls as steeply as it is high, by the sizes that the place tells, along one of some
+    /// unknowns that no bound holds, and has no kink here.
+    fn may_go_on(&self, along: &[usize]) -> bool {
+        let here = self.merit(&self.values);
+        let Some(slopes) = self.slopes.first() else { return false };
+        along.iter().any(|&k| {
+            let slope = slopes[k];
+            let x = (self.place[k] / self.units[k]).abs();
+            let is_held = self.problem.bounds[k].contains(&self.place[k]);
+            let fall = slope.abs() * x;
+            let is_steep = here.abs() < STEEP * fall && fall < STEEP * here.abs();
+            let rise = self.beside[k][usize::from(slope < 0.0)] - here;
+            let straight = slope.abs() * LEAST_PROBE_RELATIVE;
+            let is_kink = straight < KINK_SLOPES * rise && rise < KINK_SLOPES * straight;
+            !is_held && LEAST_PROBE_RELATIVE <= x && is_steep && !is_kink
+        })
+    }
+
+    /// Whether an unknown is the same at another place.
+    fn is_still(&self, k: usize, place: &[f64]) -> bool {
+        (place[k] - self.place[k]).abs() <= 0.0
+    }
+
+    /// A change of the value here that rounding does not hide.
+    fn visible(&self) -> f64 {
+        ROUNDINGS * LAST_BIT * self.merit(&self.values).abs()
+    }
+
+    fn side(&self, merit: f64) -> Side {
+        let rise = merit - self.merit(&self.values);
+        if rise <= self.visible() { Side::Hidden } else { Side::Higher }
+    }
+
+    fn is_lower(&self, merit: f64) -> bool {
+        let here = self.merit(&self.values);
+        merit < here - LEAST_LOWER_RELATIVE * here.abs()
+    }
+
+    /// A lower place nearer beside this one than the unknowns' sizes tell to look, along some of them.
+    fn lower_nearer(&mut self, along: &[usize]) -> Result<Option<Vec<f64>>, E> {
+        let n = self.place.len();
+        let is_along = |k: usize| along.contains(&k);
+        let oblique = [1.0, -1.0].map(|turn| -> Vec<f64> {
+            let part = |k: usize| if k.is_multiple_of(2) { 1.0 } else { turn };
+            (0..n).map(|k| if is_along(k) { part(k) } else { 0.0 }).collect()
+        });
+        let mut ways: Vec<Vec<f64>> = match along.len() {
+            0..=MOST_NEARER => along.iter().map(|&k| axis(n, k)).collect(),
+            _ => Vec::new(),
+        };
+        if 1 < along.len() {
+            ways.extend(oblique);
+        }
+        for way in ways {
+            let mut reach = LEAST_PROBE_RELATIVE;
+            for _ in 0..N_NEARER {
+                reach /= NEARER;
+                let mut is_seen = false;
+                for side in [-reach, reach] {
+                    let (place, values) = self.moved(&way, side)?;
+                    let merit = self.merit(&values);
+                    if self.is_lower(merit) {
+                        return Ok(Some(place));
+                    }
+                    is_seen |= self.side(merit) == Side::Higher;
+                }
+                // Beside zero everything is seen, and equal by chance.
+                if !is_seen && 0.0 < self.visible() {
+                    break;
+                }
+            }
+        }
+        Ok(None)
+    }
+
+    /// A lower place farther off along an unknown, on those of its sides on which rounding hides what the function does;
+    /// they become higher where it rises first.
+    fn lower_farther(&mut self, k: usize, sides: &mut [Side; 2]) -> Result<Option<Vec<f64>>, E> {
+        let way = axis(self.place.len(), k);
+        let most = LEAST_FAR * self.place[k].abs().max(1.0).max(self.units[k]);
+        let mut reach = LEAST_PROBE_RELATIVE * FARTHER;
+        while sides.contains(&Side::Hidden) && reach * self.units[k] <= most {
+            for (side, sign) in sides.iter_mut().zip([-1.0, 1.0]) {
+                if *side == Side::Higher {
+                    continue;
+                }
+                let (place, values) = self.moved(&way, sign * reach)?;
+                let merit = self.merit(&values);
+                if self.is_lower(merit) {
+                    return Ok(Some(place));
+                }
+                // A bound ends a way.
+                let is_held = self.is_still(k, &place);
+                *side = if is_held { Side::Higher } else { self.side(merit) };
+            }
+            reach *= FARTHER;
+        }
+        Ok(None)
+    }
+
+    /// Whether the function came nearer and nearer to the value here along an unknown, from where that began, rather than
+    /// down to it at a place.
+    fn tends(&mut self, k: usize, first: f64) -> Result<bool, E> {
+        let here = self.merit(&self.values);
+        let is_sloped = self.slopes.first().is_some_and(|slopes| 0.0 < slopes[k].abs());
+        let mut from = 0.0;
+        for round in 0..LEVEL_ROUNDS {
+            let whole = self.rise_before(k, first, from)?;
+            if whole.is_nan() || whole <= LEAST_LOWER_RELATIVE * here.abs() {
+                // It lies level where it began, if it has no slope.
+                return Ok(round == 0 && is_sloped);
+            }
+            let [before, level] = self.level_from(k, first, (from, whole))?;
+            let near = self.rise_before(k, first, from + 0.9 * (level.0 - from))?;
+            // Down to the level by a step of rounding.
+            let is_step = LEVEL_STEP * near < before.1 && STEPS_OF_A_FALL * before.1 < whole;
+            if near < LEVEL_APPROACH * whole || is_step {
+                return Ok(true);
+            }
+            from = level.0;
+        }
+        Ok(false)
+    }
+
+    /// By how much the function is higher than here at a share of the way to here along an unknown from where that began.
+    fn rise_before(&mut self, k: usize, first: f64, share: f64) -> Result<f64, E> {
+        let back = (first - self.place[k]) / self.units[k];
+        let way: Vec<f64> = axis(self.place.len(), k).iter().map(|part| part * back).collect();
+        let values = self.moved(&way, 1.0 - share)?.1;
+        Ok(self.merit(&values) - self.merit(&self.values))
+    }
+
+    /// Shares of that way, the one close behind the other, before and behind which the function becomes level, with how much
+    /// higher it is there; from one on at which it is so much higher.
+    fn level_from(
+        &mut self,
+        k: usize,
+        first: f64,
+        (from, whole): (f64, f64),
+    ) -> Result<[(f64, f64); 2], E> {
+        let rounding = ROUNDINGS * LAST_BIT * self.merit(&self.values).abs();
+        let level = rounding.max(LEAST_LEVEL_RELATIVE * whole);
+        let mut edge = [(from, whole), (1.0, 0.0)];
+        for _ in 0..EDGE_HALVINGS {
+            if EDGE_WIDTH * (edge[1].0 - from) < edge[0].0 - from {
+                break;
+            }
+            let share = 0.5 * (edge[0].0 + edge[1].0);
+            let rise = self.rise_before(k, first, share)?;
+            edge[usize::from(rise <= level)] = (share, rise);
+        }
+        Ok(edge)
+    }
+}

@@ -1,0 +1,187 @@
+//! The rounds of a search for a least value: each begins with the sizes that its start tells, where the one before it
+//! came to what is far away, or beside what is lower by other sizes.
+
+use super::{
+    answers::{Answers, CountedFunctions, Wanted},
+    least_beyond::Beyond,
+    least_floor::{AS_FAR, FAR_OUT, Floor},
+    least_problem::{LeastEnd, LeastProblem},
+    least_search::LeastSearch,
+    pole_search::END_OF_NUMBERS,
+};
+use crate::{
+    ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
+    tolerance::LEAST_PROBE_RELATIVE,
+};
+
+/// Rounds behind which places beside the end were better again and again, at most.
+const ROUNDS_LEFT: usize = 2;
+
+/// Where a search ended, and how.
+pub(super) struct Ended {
+    pub(super) place: Vec<f64>,
+    pub(super) values: Vec<f64>,
+    pub(super) end: LeastEnd,
+}
+
+/// What the rounds behind the last one told.
+#[derive(Default)]
+struct RoundsBefore {
+    /// How many there were.
+    n_rounds: usize,
+    /// Where the first came to be far away, which is told where those behind it tell nothing else.
+    far: Option<Ended>,
+    /// Whether the last one is followed along a way that bends.
+    is_followed: bool,
+    /// How often places beside an end were better again and again.
+    n_left: usize,
+}
+
+impl LeastProblem<'_> {
+    /// Where the rounds from the start end.
+    ///
+    /// # Errors
+    /// Those of the functions.
+    pub(super) fn rounds<F, E>(&self, asked: &mut CountedFunctions<F>) -> Result<Ended, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let mut start = self.start.to_vec();
+        let mut before = RoundsBefore::default();
+        while before.n_rounds < CONSTRAINED_ROUNDS {
+            let problem = LeastProblem { start: &start, ..*self };
+            let mut search = LeastSearch::new(problem, asked)?;
+            let end = search.end()?;
+            let floor = before.floor(&mut search, self.start, end)?;
+            let place = match floor {
+                Floor::Told => return Ok(search.ended_by(LeastEnd::Settled)),
+                Floor::Other(end) => return Ok(before.told(search.ended_by(end))),
+                Floor::Followed => search.place.clone(),
+                Floor::Lower(place) => place,
+            };
+            start = place;
+        }
+        let search = LeastSearch::new(LeastProblem { start: &start, ..*self }, asked)?;
+        Ok(before.told(search.ended_by(LeastEnd::Unsettled)))
+    }
+}
+
+impl RoundsBefore {
+    /// What is beside or beyond the end of a round; `first` is where the first one began.
+    fn floor<F, E>(
+        &mut self,
+        search: &mut LeastSearch<'_, F>,
+        first: &[f64],
+        end: LeastEnd,
+    ) -> Result<Floor, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let is_first = self.n_rounds == 0;
+        self.n_rounds += 1;
+        let may_follow = !std::mem::take(&mut self.is_followed);
+        let has_conditions = 1 < search.values.len();
+        Ok(match end {
+            LeastEnd::Unbounded if search.merit(&search.values) < END_OF_NUMBERS => {
+                Floor::Other(end)
+            }
+            LeastEnd::Unbounded => self.beyond(search, is_first, end)?,
+            LeastEnd::Unattained if !has_conditions => self.beyond(search, is_first, end)?,
+            LeastEnd::Settled | LeastEnd::Flat if !(is_first && end == LeastEnd::Flat) => {
+                if self.far.is_some() && !search.has_values_around()? {
+                    return Ok(Floor::Other(LeastEnd::Unsettled));
+                }
+                let far_out = if self.far.is_some() { AS_FAR } else { FAR_OUT };
+                let floor = search.floor(first, may_follow, far_out)?;
+                self.is_followed = matches!(floor, Floor::Followed);
+                floor
+            }
+            LeastEnd::Unsettled if search.is_left && self.n_left < ROUNDS_LEFT => {
+                self.n_left += 1;
+                Floor::Lower(search.place.clone())
+            }
+            end => Floor::Other(end),
+        })
+    }
+
+    /// What is beyond the end of a round that came to be far away, which may be far beside the unknowns at the start alone.
+    fn beyond<F, E>(
+        &mut self,
+        search: &mut LeastSearch<'_, F>,
+        is_first: bool,
+        end: LeastEnd,
+    ) -> Result<Floor, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let here = search.ended_by(end);
+        let beyond = match is_first {
+            true => Beyond::Rises(here.place.clone()),
+            false => search.beyond(end)?,
+        };
+        Ok(match beyond {
+            Beyond::Falls(end) => Floor::Other(end),
+            Beyond::Rises(place) => {
+                let tells_more = |far: &Ended| far.end != end && end == LeastEnd::Unattained;
+                if self.far.as_ref().is_none_or(tells_more) {
+                    self.far = Some(here);
+                }
+                Floor::Lower(place)
+            }
+        })
+    }
+
+    /// What is told in the end: that a round came to be far away, where the last one tells nothing else.
+    fn told(self, last: Ended) -> Ended {
+        let tells_nothing = |far: &Ended| match last.end {
+            LeastEnd::Unsettled | LeastEnd::Contradictory | LeastEnd::Flat => true,
+            end => end == far.end,
+        };
+        match self.far {
+            Some(far) if tells_nothing(&far) => far,
+            _ => last,
+        }
+    }
+}
+
+impl<F, E> LeastSearch<'_, F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    /// How the search ends that goes on from better places beside its ends.
+    fn end(&mut self) -> Result<LeastEnd, E> {
+        let mut end = self.descend()?;
+        let mut n_restarts = 0;
+        loop {
+            let goes_on = match end {
+                LeastEnd::Settled => self.leaves_for_better()?,
+                LeastEnd::Contradictory => n_restarts == 0 && self.is_led_back()?,
+                _ => false,
+            };
+            if !goes_on {
+                break;
+            }
+            self.is_left = n_restarts == CONSTRAINED_RESTARTS;
+            end = if self.is_left { LeastEnd::Unsettled } else { self.descend()? };
+            n_restarts += 1;
+        }
+        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && self.is_at_pole()? {
+            end = if self.falls_outward()? { LeastEnd::Unbounded } else { LeastEnd::Pole };
+        }
+        if end == LeastEnd::Settled && self.only_tends()? {
+            end = LeastEnd::Unattained;
+        }
+        Ok(end)
+    }
+
+    /// Whether the function falls from what looks like a pole a little farther out from zero too, where numbers end.
+    fn falls_outward(&mut self) -> Result<bool, E> {
+        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
+        let values = self.moved(&out, LEAST_PROBE_RELATIVE)?.1;
+        Ok(self.merit(&values) < self.merit(&self.values))
+    }
+
+    fn ended_by(&self, end: LeastEnd) -> Ended {
+        Ended { place: self.place.clone(), values: self.values.clone(), end }
+    }
+}
