@@ -72,7 +72,8 @@ impl Add for Sloped {
 impl Mul for Sloped {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let slope = |k: usize| self.slopes[k] * other.value + self.value * other.slopes[k];
+        let rule = |k: usize| [self.slopes[k] * other.value, self.value * other.slopes[k]];
+        let slope = |k: usize| rule(k).iter().sum();
         Self { value: self.value * other.value, slopes: [slope(0), slope(1)] }
     }
 }

@@ -43,7 +43,7 @@ proptest! {
                 }
             },
             Err(_) => {
-                let most = small.iter().flat_map(|jet| jet.slopes()).fold(0.0, |most: f64, slope| most.max(slope.abs()));
+                let most = small.iter().flat_map(Jet::slopes).fold(0.0, |most: f64, slope| most.max(slope.abs()));
                 prop_assert!(f64::MAX / factor < 1e3 * most, "{most:e}");
             }
         }
