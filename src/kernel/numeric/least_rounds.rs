@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
-    tolerance::LEAST_PROBE_RELATIVE,
+    tolerance::{LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
 };
 
 /// Rounds behind which places beside the end were better again and again, at most.
@@ -29,6 +29,10 @@ pub(super) struct Ended {
 struct RoundsBefore {
     /// How many there were.
     n_rounds: usize,
+    /// What the function is where the first began.
+    first_merit: f64,
+    /// Where the last that settled did so.
+    settled: Option<Ended>,
     /// Where the first came to be far away, which is told where those behind it tell nothing else.
     far: Option<Ended>,
     /// Whether the last one is followed along a way that bends.
@@ -51,6 +55,9 @@ impl LeastProblem<'_> {
         while before.n_rounds < CONSTRAINED_ROUNDS {
             let problem = LeastProblem { start: &start, ..*self };
             let mut search = LeastSearch::new(problem, asked)?;
+            if before.n_rounds == 0 {
+                before.first_merit = search.first_merit;
+            }
             let end = search.end()?;
             let floor = before.floor(&mut search, self.start, end)?;
             let place = match floor {
@@ -59,6 +66,9 @@ impl LeastProblem<'_> {
                 Floor::Followed => search.place.clone(),
                 Floor::Lower(place) => place,
             };
+            if end == LeastEnd::Settled {
+                before.settled = Some(search.ended_by(end));
+            }
             start = place;
         }
         let search = LeastSearch::new(LeastProblem { start: &start, ..*self }, asked)?;
@@ -94,7 +104,12 @@ impl RoundsBefore {
                 let far_out = if self.far.is_some() { AS_FAR } else { FAR_OUT };
                 let floor = search.floor(first, may_follow, far_out)?;
                 self.is_followed = matches!(floor, Floor::Followed);
-                floor
+                let has_fallen = search.merit(&search.values) < self.first_merit;
+                match floor {
+                    // It fell to where all around is as low, and that is no end of what falls far away.
+                    Floor::Other(LeastEnd::Flat) if has_fallen && self.far.is_none() => Floor::Told,
+                    floor => floor,
+                }
             }
             LeastEnd::Unsettled if search.is_left && self.n_left < ROUNDS_LEFT => {
                 self.n_left += 1;
@@ -131,14 +146,21 @@ impl RoundsBefore {
         })
     }
 
-    /// What is told in the end: that a round came to be far away, where the last one tells nothing else.
+    /// What is told in the end: that a round came to be far away, where the last one tells nothing else; or where one
+    /// settled, if those behind it gained nothing to speak of beside the whole fall.
     fn told(self, last: Ended) -> Ended {
         let tells_nothing = |far: &Ended| match last.end {
             LeastEnd::Unsettled | LeastEnd::Contradictory | LeastEnd::Flat => true,
             end => end == far.end,
         };
-        match self.far {
-            Some(far) if tells_nothing(&far) => far,
+        let first = self.first_merit;
+        let gains_nothing = |settled: &Ended| {
+            let [then, now] = [settled, &last].map(|ended| ended.values[0]);
+            last.end == LeastEnd::Unsettled && then - now <= LEAST_LOWER_RELATIVE * (first - then)
+        };
+        match (self.far, self.settled) {
+            (Some(far), _) if tells_nothing(&far) => far,
+            (None, Some(settled)) if gains_nothing(&settled) => settled,
             _ => last,
         }
     }

@@ -15,7 +15,16 @@ declare global {
 
 /** Begins, unless that is done. */
 export function begin(): Begun {
-  return (window.begun ??= { workers: [new Worker("worker.js")], module: fetchModule() });
+  return (window.begun ??= underWay());
+}
+
+function underWay(): Begun {
+  try {
+    return { workers: [new Worker("worker.js")], module: fetchModule() };
+  } catch (trouble) {
+    // Where there are no workers. Whoever waits for the module is told.
+    return { workers: [], module: Promise.reject(trouble) };
+  }
 }
 
 /** Fetches and compiles the module; it lies compressed beside the page, whatever its server does. */

@@ -31,6 +31,10 @@ const MOST_PIECES: usize = 16;
 /// Roundings beyond the tolerance at which circles are apart for certain.
 const APART_ROUNDINGS: f64 = 16.0;
 
+/// The radius of a circle, in terms of the size of its arc: the centres of larger ones are lost in rounding, as of a straight
+/// side of degree 2.
+const MOST_RADIUS: f64 = 64.0;
+
 /// A curve of degree 2 that runs along a circle, once around at most, and turns back nowhere.
 struct CircularArc {
     center: DVec2,
@@ -131,7 +135,10 @@ impl CircularArc {
             if gap <= tolerance { curve.point_at(domain.at(last)).truncate() } else { ends[1] };
         let center = circumcenter([ends[0], middle, last]);
         let radius = center.distance(ends[0]);
-        if !(radius.is_finite() && CLEARANCE * tolerance < radius) {
+        let size = ends[0].distance(middle).max(ends[0].distance(last));
+        // Not so where it is no number.
+        let is_told = CLEARANCE * tolerance < radius && radius <= MOST_RADIUS * size;
+        if !is_told {
             return None;
         }
         let mut turn = 0.0_f64;
@@ -295,6 +302,20 @@ mod tests {
         check_against_search(&upper, &right, &found);
         let lower = NurbsCurve::arc(Frame::XY.at(DVec3::Y * -0.5), 1.0, PI, PI).expect("an arc");
         assert_eq!(upper.circle_crossings(&lower, TOLERANCE), Some(Vec::new()));
+    }
+
+    #[test]
+    fn straight_sides_of_degree_two_are_left_to_the_search() {
+        let own = circle(0.0, 0.0, 1.0);
+        for end in [DVec3::new(0.31, 1.7, 0.0), DVec3::new(-1.3, 0.77, 0.0)] {
+            let start = DVec3::new(0.123, -0.456, 0.0);
+            let side = NurbsCurve::bezier(&[start, end]).expect("a side");
+            let raised = side.elevate_degree(2).expect("a side");
+            assert_eq!(own.circle_crossings(&raised, TOLERANCE), None);
+            assert!(!raised.is_circular_arc(TOLERANCE));
+        }
+        let flat = NurbsCurve::arc(Frame::XY, 1.0, 0.0, 1e-3).expect("an arc");
+        assert!(!flat.is_circular_arc(1e-12));
     }
 
     #[test]
