@@ -48,6 +48,9 @@ const KINK_SLOPES: f64 = 10.0;
 /// The share of the way to where a function became level up to which it was not yet.
 const EDGE_WIDTH: f64 = 0.995;
 
+/// The share of the way to where a function is level at which it is higher by what is seen, unless it fades.
+const FADING: f64 = 0.9;
+
 /// How often it is looked behind what seemed level whether it falls on there.
 const LEVEL_ROUNDS: usize = 3;
 
@@ -83,11 +86,11 @@ where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
     /// What is beside the place at which the search settled, where no condition tells of other sizes; `first` is where the
-    /// first of its rounds began.
+    /// first of its rounds began. It may follow a way that bends, and may rest where all around is as low.
     pub(super) fn floor(
         &mut self,
         first: &[f64],
-        may_follow: bool,
+        (may_follow, may_rest): (bool, bool),
         far_out: f64,
     ) -> Result<Floor, E> {
         if 1 < self.values.len() {
@@ -133,6 +136,9 @@ where
             }
         }
         if 0 < n && n_hidden == n {
+            if may_rest && self.is_plateau(&unbounded, first)? {
+                return Ok(Floor::Told);
+            }
             return Ok(Floor::Other(LeastEnd::Flat));
         }
         let fall = self.first_merit - self.merit(&self.values);
@@ -291,6 +297,34 @@ where
             from = level.0;
         }
         Ok(false)
+    }
+
+    /// Whether the function is the same on both sides along each of some unknowns, and came down to that at a place.
+    fn is_plateau(&mut self, along: &[usize], first: &[f64]) -> Result<bool, E> {
+        let here = self.merit(&self.values);
+        let is_level = |&k: &usize| self.beside[k].iter().all(|merit| (merit - here).abs() <= 0.0);
+        if !along.iter().all(is_level) {
+            return Ok(false);
+        }
+        for &k in along {
+            if self.fades(k, first[k])? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Whether the function comes to the value here, from where an unknown began, by less and less until its own rounding
+    /// hides it: where it comes down to a level at a place, it is higher before that by more.
+    fn fades(&mut self, k: usize, first: f64) -> Result<bool, E> {
+        let whole = self.rise_before(k, first, 0.0)?;
+        let mut edge = [0.0, 1.0];
+        for _ in 0..EDGE_HALVINGS {
+            let share = 0.5 * (edge[0] + edge[1]);
+            edge[usize::from(self.rise_before(k, first, share)? <= 0.0)] = share;
+        }
+        let near = self.rise_before(k, first, FADING * edge[1])?;
+        Ok(0.0 < whole && near < self.visible().max(LEAST_LOWER_RELATIVE * whole))
     }
 
     /// By how much the function is higher than here at a share of the way to here along an unknown from where that began.

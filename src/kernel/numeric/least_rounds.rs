@@ -102,14 +102,11 @@ impl RoundsBefore {
                     return Ok(Floor::Other(LeastEnd::Unsettled));
                 }
                 let far_out = if self.far.is_some() { AS_FAR } else { FAR_OUT };
-                let floor = search.floor(first, may_follow, far_out)?;
+                let may_rest =
+                    self.far.is_none() && search.merit(&search.values) < self.first_merit;
+                let floor = search.floor(first, (may_follow, may_rest), far_out)?;
                 self.is_followed = matches!(floor, Floor::Followed);
-                let has_fallen = search.merit(&search.values) < self.first_merit;
-                match floor {
-                    // It fell to where all around is as low, and that is no end of what falls far away.
-                    Floor::Other(LeastEnd::Flat) if has_fallen && self.far.is_none() => Floor::Told,
-                    floor => floor,
-                }
+                floor
             }
             LeastEnd::Unsettled if search.is_left && self.n_left < ROUNDS_LEFT => {
                 self.n_left += 1;
@@ -147,20 +144,22 @@ impl RoundsBefore {
     }
 
     /// What is told in the end: that a round came to be far away, where the last one tells nothing else; or where one
-    /// settled, if those behind it gained nothing to speak of beside the whole fall.
+    /// settled, if it came to zero beside the whole fall and those behind it to nothing else.
     fn told(self, last: Ended) -> Ended {
         let tells_nothing = |far: &Ended| match last.end {
             LeastEnd::Unsettled | LeastEnd::Contradictory | LeastEnd::Flat => true,
             end => end == far.end,
         };
-        let first = self.first_merit;
-        let gains_nothing = |settled: &Ended| {
-            let [then, now] = [settled, &last].map(|ended| ended.values[0]);
-            last.end == LeastEnd::Unsettled && then - now <= LEAST_LOWER_RELATIVE * (first - then)
+        // Beside zero whatever is nearer to it is lower; a square is so small as near as that to its root.
+        let is_zero = |ended: &Ended| {
+            let value = ended.values[0];
+            value.abs() <= LEAST_LOWER_RELATIVE * LEAST_LOWER_RELATIVE * (self.first_merit - value)
         };
+        let is_told =
+            |settled: &Ended| last.end == LeastEnd::Unsettled && is_zero(settled) && is_zero(&last);
         match (self.far, self.settled) {
             (Some(far), _) if tells_nothing(&far) => far,
-            (None, Some(settled)) if gains_nothing(&settled) => settled,
+            (None, Some(settled)) if is_told(&settled) => settled,
             _ => last,
         }
     }
