@@ -8,5 +8,3 @@ check ridge.value == 0
 
 let quartics = minimize(p => (p.x - 1)^4 + (p.y - 2)^4 + p.z^4, start = (50, 50, 50), report = true)
 check quartics.value < 1e-15
-let valley = minimize(u => u.a^4 + ln(1 + (u.b - 2)^2), start = {a: -41, b: 20}, report = true)
-check valley.value < 1e-15
