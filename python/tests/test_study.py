@@ -485,6 +485,30 @@ def test_a_dask_cluster_loses_a_worker_and_no_row(script: Path, tmp_path: Path) 
         assert results.column("double") == [2.0 * n for n in range(600)]
 
 
+FAULTS = """
+import resource, sys
+from virote import _pools
+task = _pools.Task("a.geo", open(sys.argv[1], "rb").read(), {}, [], [], None, [])
+batch = [(i, str(i), [("w", f"{2 + i / 100}mm")]) for i in range(1, 101)]
+_pools.evaluate(task, batch)
+before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+_pools.evaluate(task, batch)
+print((resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before) // len(batch))
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the habit is that of glibc")
+def test_workers_of_dask_keep_memory_from_one_variant_to_the_next(tmp_path: Path) -> None:
+    # A list of 3.2 MB for each variant: 780 pages.
+    script = tmp_path / "a.geo"
+    script.write_text("param w = 2mm  let l = [for i in 1..400000: i * w]  let n = l[7]")
+    environment = {**os.environ, "MALLOC_TRIM_THRESHOLD_": "65536"}
+    told = subprocess.run(
+        [sys.executable, "-c", FAULTS, str(script)], env=environment, capture_output=True, text=True, check=True
+    )
+    assert int(told.stdout) < 100
+
+
 def test_a_scheduler_that_goes_away_is_told(script: Path) -> None:
     distributed = pytest.importorskip("distributed")
     script.write_text(SLOW)

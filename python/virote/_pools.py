@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 import time
 from collections.abc import Iterable, Iterator
@@ -14,6 +15,15 @@ from . import _virote
 
 #: Bytes of data that go along with each batch.
 MOST_INLINE = 1 << 20
+
+#: Of glibc's `mallopt`: the free memory that goes back to the system at once, and the least that is asked of it by itself.
+M_TRIM_THRESHOLD, M_MMAP_THRESHOLD = -1, -3
+#: The latter by default.
+DEFAULT_MMAP_THRESHOLD = 128 << 10
+#: Both while variants are evaluated.
+KEPT_BYTES = 32 << 20
+#: Where the environment says the former.
+TRIM_THRESHOLD = "MALLOC_TRIM_THRESHOLD_"
 
 #: A variant: its number, its id as JSON, and values for parameters.
 Variant = tuple[int, str, list[tuple[str, str]]]
@@ -45,19 +55,64 @@ class Task(NamedTuple):
     limits: list[tuple[str, int]]
 
 
+class _KeptMemory:
+    """Keeps what a variant frees for the next one, where the environment says otherwise.
+
+    Workers of Dask are begun with ``MALLOC_TRIM_THRESHOLD_`` of 64 kB, by which glibc gives what is free back to the
+    system at once, and asks for it again: a third more time for each variant. That holds again behind the last batch
+    that is under way.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._n_batches = 0
+
+    def __enter__(self) -> None:
+        with self._lock:
+            self._n_batches += 1
+            if self._n_batches == 1 and (libc := self._glibc()):
+                libc.mallopt(M_TRIM_THRESHOLD, KEPT_BYTES)
+                libc.mallopt(M_MMAP_THRESHOLD, KEPT_BYTES)
+
+    def __exit__(self, *_: object) -> None:
+        with self._lock:
+            self._n_batches -= 1
+            if self._n_batches == 0 and (libc := self._glibc()):
+                libc.mallopt(M_TRIM_THRESHOLD, int(os.environ[TRIM_THRESHOLD]))
+                libc.mallopt(M_MMAP_THRESHOLD, DEFAULT_MMAP_THRESHOLD)
+                libc.malloc_trim(0)
+
+    @staticmethod
+    def _glibc() -> Any:
+        """The library of C, if it is one that the environment says that to and nothing else."""
+        threshold = os.environ.get(TRIM_THRESHOLD, "")
+        if not threshold.isdecimal() or len(threshold) > 9 or "MALLOC_MMAP_THRESHOLD_" in os.environ:
+            return None
+        if sys.platform != "linux":
+            return None
+        import ctypes
+
+        libc = ctypes.CDLL(None)
+        return libc if hasattr(libc, "mallopt") and hasattr(libc, "malloc_trim") else None
+
+
+_kept_memory = _KeptMemory()
+
+
 def evaluate(task: Task, variants: list[Variant]) -> Answer:
     """What a worker does: a pure function of what it is given."""
     begin = time.perf_counter()
-    rows, missing = _virote.study_batch(
-        task.name,
-        task.text,
-        task.files,
-        variants,
-        task.settings,
-        task.want,
-        task.time_limit,
-        task.limits,
-    )
+    with _kept_memory:
+        rows, missing = _virote.study_batch(
+            task.name,
+            task.text,
+            task.files,
+            variants,
+            task.settings,
+            task.want,
+            task.time_limit,
+            task.limits,
+        )
     return rows, missing, time.perf_counter() - begin
 
 
