@@ -84,28 +84,26 @@ impl VariedSurface {
         let at =
             |&t: &f64| knots.with_basis(t, |span, basis| (knots.support(span), basis.to_vec()));
         let acting: Vec<(RangeInclusive<usize>, Vec<f64>)> = parameters.iter().map(at).collect();
-        let sections = |points: &[DVec4]| -> Vec<DVec4> {
-            let mut all = Vec::with_capacity(net.n_rows() * acting.len());
-            for line in points.chunks_exact(net.n_columns()) {
-                all.extend(acting.iter().map(|(support, basis)| -> DVec4 {
-                    line[support.clone()].iter().zip(basis).map(|(&point, &n)| point * n).sum()
-                }));
-            }
-            all
+        let section_points = |line: &[DVec4]| -> Vec<DVec4> {
+            let at = |(support, basis): &(RangeInclusive<usize>, Vec<f64>)| -> DVec4 {
+                line[support.clone()].iter().zip(basis).map(|(&point, &n)| point * n).sum()
+            };
+            acting.iter().map(at).collect()
         };
-        let lines = sections(net.as_slice());
+        let lines: Vec<Vec<DVec4>> =
+            net.as_slice().chunks_exact(net.n_columns()).map(section_points).collect();
+        let Some(steps) = SectionSteps::new(rule, lines) else { return Ok(None) };
+        let found = steps.parameters();
+        let is_same = found.iter().zip(parameters).all(|(a, b)| (a - b).abs() <= EXACT_RELATIVE);
+        if found.len() != parameters.len() || !is_same {
+            return Ok(None);
+        }
         let mut speeds = Vec::new();
         for (variable, slopes) in self.slopes().by_variable() {
-            let Some((found, own)) =
-                section_speeds(rule, parameters.len(), [&lines, &sections(slopes)])
-            else {
-                return Ok(None);
-            };
-            let is_same =
-                found.iter().zip(parameters).all(|(a, b)| (a - b).abs() <= EXACT_RELATIVE);
-            if found.len() != parameters.len() || !is_same {
-                return Ok(None);
-            }
+            let by_line = slopes.chunks_exact(net.n_columns()).enumerate();
+            let moving = by_line.filter(|(_, line)| line.iter().any(|own| *own != DVec4::ZERO));
+            let moving = moving.map(|(idx, line)| (idx, section_points(line))).collect();
+            let Some(own) = steps.speeds(moving) else { return Ok(None) };
             speeds.push((*variable, own));
         }
         self.with_moving_parameters(Direction::V, (degree, Ends::Averaged), parameters, &speeds)
@@ -222,59 +220,109 @@ fn own_lines_twice(
     Ok(all)
 }
 
-/// The parameters of so many sections and how fast they move, from lines of their control points, one behind the other,
-/// and the speeds of these; none where a point of a line comes to its neighbour.
-fn section_speeds(
+/// Steps from section to section along lines of their control points, which tell the parameters by a rule.
+struct SectionSteps {
     rule: SectionParameters,
-    n_sections: usize,
-    [lines, slopes]: [&[DVec4]; 2],
-) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (&first, &growth) = (lines.first()?, slopes.first()?);
-    let origin = [place(first), place_speed(first, growth)];
-    let step = |line: &[DVec4], slope: &[DVec4], k: usize| -> Option<[f64; 2]> {
-        let at = |k: usize| rule.measured_speed(origin, [line[k], slope[k]]);
-        let ([before, own], [behind, next]) = (at(k), at(k + 1));
-        let (leg, growth) = (behind - before, next - own);
-        let (length, along) = (leg.length(), leg.dot(growth));
-        match rule {
-            SectionParameters::Uniform => Some([1.0, 0.0]),
-            _ if length <= 0.0 && growth.length() <= 0.0 => Some([0.0; 2]),
-            _ if length <= 0.0 => None,
-            SectionParameters::Average | SectionParameters::Places => {
-                Some([length, along / length])
+    /// The control points of each line, one for each section.
+    lines: Vec<Vec<DVec4>>,
+    /// Of each step of each line its length as the rule takes it, and how that grows with the way; of none the latter
+    /// is told where both ends are at one place.
+    steps: Vec<Vec<(f64, Option<DVec4>)>>,
+    /// The lengths of the lines that count.
+    wholes: Vec<Option<f64>>,
+    n_counting: f64,
+}
+
+impl SectionSteps {
+    /// Of two sections or more; none of fewer.
+    fn new(rule: SectionParameters, lines: Vec<Vec<DVec4>>) -> Option<Self> {
+        let origin = place(*lines.first()?.first()?);
+        let step = |ends: &[DVec4]| {
+            let [before, behind] = [ends[0], ends[1]].map(|end| rule.measured(origin, end));
+            let leg = behind - before;
+            let length = leg.length();
+            match rule {
+                SectionParameters::Uniform => (1.0, Some(DVec4::ZERO)),
+                _ if length <= 0.0 => (0.0, None),
+                SectionParameters::Average | SectionParameters::Places => {
+                    (length, Some(leg / length))
+                }
+                SectionParameters::Centripetal => {
+                    let root = length.sqrt();
+                    (root, Some(leg / (2.0 * length * root)))
+                }
             }
-            SectionParameters::Centripetal => {
-                let root = length.sqrt();
-                Some([root, along / (2.0 * length * root)])
-            }
-        }
-    };
-    let n_steps = n_sections.checked_sub(1).filter(|n| 0 < *n)?;
-    let mut all: Vec<[f64; 2]> = Vec::with_capacity(lines.len());
-    for (line, slope) in lines.chunks_exact(n_sections).zip(slopes.chunks_exact(n_sections)) {
+        };
+        let steps: Vec<Vec<_>> =
+            lines.iter().map(|line| line.windows(2).map(step).collect()).collect();
+        let whole = |steps: &Vec<(f64, _)>| steps.iter().map(|(length, _)| length).sum();
+        let wholes: Vec<f64> = steps.iter().map(whole).collect();
+        let longest = wholes.iter().copied().fold(0.0, f64::max);
+        let wholes: Vec<Option<f64>> = wholes
+            .into_iter()
+            .map(|whole| (VANISHING_RELATIVE * longest < whole).then_some(whole))
+            .collect();
+        let n_counting = wholes.iter().flatten().count() as f64;
+        (!steps[0].is_empty()).then_some(Self { rule, lines, steps, wholes, n_counting })
+    }
+
+    fn parameters(&self) -> Vec<f64> {
+        let n_steps = self.steps[0].len();
+        let mut found = vec![0.0];
         for k in 0..n_steps {
-            all.push(step(line, slope, k)?);
+            let lines = self.steps.iter().zip(&self.wholes);
+            let shares = lines.filter_map(|(steps, whole)| whole.map(|whole| steps[k].0 / whole));
+            found.push(found[k] + shares.sum::<f64>() / self.n_counting);
         }
+        found
     }
-    let whole = |steps: &[[f64; 2]]| steps.iter().fold([0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
-    let wholes: Vec<[f64; 2]> = all.chunks_exact(n_steps).map(whole).collect();
-    let longest = wholes.iter().map(|whole| whole[0]).fold(0.0, f64::max);
-    let (mut found, mut speeds) = (vec![0.0], vec![0.0]);
-    for k in 0..n_steps {
-        let (mut mean, mut speed, mut n) = (0.0, 0.0, 0.0);
-        for (steps, [length, growth]) in all.chunks_exact(n_steps).zip(&wholes) {
-            if VANISHING_RELATIVE * longest < *length {
-                let share = steps[k][0] / length;
-                mean += share;
-                speed += (steps[k][1] - share * growth) / length;
-                n += 1.0;
+
+    /// How fast the parameters move where the control points of some lines do, each with its index; none where a point
+    /// comes away from a neighbour at its place.
+    fn speeds(&self, moving: Vec<(usize, Vec<DVec4>)>) -> Option<Vec<f64>> {
+        let n_sections = self.lines[0].len();
+        let first = self.lines[0][0];
+        let own = moving.first().filter(|(line, _)| *line == 0);
+        let speed_of_origin = own.map_or(DVec3::ZERO, |(_, slopes)| place_speed(first, slopes[0]));
+        let origin = [place(first), speed_of_origin];
+        let moving = if speed_of_origin == DVec3::ZERO {
+            moving
+        } else {
+            // What is told about the origin moves with it.
+            let mut all = vec![vec![DVec4::ZERO; n_sections]; self.lines.len()];
+            moving.into_iter().for_each(|(line, slopes)| all[line] = slopes);
+            all.into_iter().enumerate().collect()
+        };
+        let mut by_step = vec![0.0; n_sections - 1];
+        for (line, slopes) in &moving {
+            let pairs = self.lines[*line].iter().zip(slopes);
+            let speeds: Vec<DVec4> = pairs
+                .map(|(&point, &slope)| self.rule.measured_speed(origin, [point, slope]))
+                .collect();
+            let steps = &self.steps[*line];
+            let mut growths = Vec::with_capacity(steps.len());
+            for ((_, along), ends) in steps.iter().zip(speeds.windows(2)) {
+                let way = ends[1] - ends[0];
+                match along {
+                    Some(along) => growths.push(along.dot(way)),
+                    None if way.length() <= 0.0 => growths.push(0.0),
+                    None => return None,
+                }
+            }
+            let Some(whole) = self.wholes[*line] else { continue };
+            let growth: f64 = growths.iter().sum();
+            for ((sum, own), (length, _)) in by_step.iter_mut().zip(growths).zip(steps) {
+                *sum += (own - length / whole * growth) / whole;
             }
         }
-        found.push(found[k] + mean / n);
-        speeds.push(speeds[k] + speed / n);
+        let mut speeds = vec![0.0];
+        speeds.extend(by_step.iter().scan(0.0, |sum, own| {
+            *sum += own / self.n_counting;
+            Some(*sum)
+        }));
+        speeds[n_sections - 1] = 0.0;
+        Some(speeds)
     }
-    speeds[n_steps] = 0.0;
-    Some((found, speeds))
 }
 
 impl Parametrization {

@@ -40,23 +40,22 @@ pub enum SectionParameters {
 
 impl SectionParameters {
     /// A control point as the distances are told of: about an origin, or its place alone.
-    fn measured(self, origin: DVec3, point: DVec4) -> DVec4 {
+    pub(crate) fn measured(self, origin: DVec3, point: DVec4) -> DVec4 {
         match self {
             Self::Places => place(point).extend(0.0),
             _ => about(origin, point),
         }
     }
 
-    /// What [`Self::measured`] does where the control point moves, and the origin.
+    /// How fast [`Self::measured`] moves where the control point does, and the origin.
     pub(crate) fn measured_speed(
         self,
         [origin, speed_of_origin]: [DVec3; 2],
         [point, speed]: [DVec4; 2],
-    ) -> [DVec4; 2] {
-        let measured = self.measured(origin, point);
+    ) -> DVec4 {
         match self {
-            Self::Places => [measured, place_speed(point, speed).extend(0.0)],
-            _ => [measured, about(origin, speed) - (point.w * speed_of_origin).extend(0.0)],
+            Self::Places => place_speed(point, speed).extend(0.0),
+            _ => about(origin, speed) - (point.w * speed_of_origin).extend(0.0),
         }
     }
 }

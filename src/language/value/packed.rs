@@ -6,6 +6,8 @@
 //! That an operation is of this kind is supposed only; whoever uses this holds the outcome against the variables as
 //! they are.
 
+use std::ops::Range;
+
 use super::{
     Value,
     numbers::{NumberPlace, NumberSlopes, OTHER_NUMBER, n_lines, places, slopes},
@@ -28,11 +30,10 @@ struct PackedVariable {
 }
 
 impl PackedVariable {
-    /// Whether it may move what stands there.
-    fn moves(&self, place: NumberPlace) -> bool {
-        let is_along = self.turned.is_none_or(|[axis, _]| axis == place.axis);
+    /// Whether it may move what belongs to a line.
+    fn moves(&self, line: Option<usize>) -> bool {
         let lines = self.lines.as_ref();
-        is_along && lines.zip(place.line).is_none_or(|(all, own)| all.binary_search(&own).is_ok())
+        lines.zip(line).is_none_or(|(all, own)| all.binary_search(&own).is_ok())
     }
 }
 
@@ -145,13 +146,26 @@ impl PackedVariables {
     ) -> Vec<(usize, f64, Vec<f64>)> {
         let mut kinds = Vec::with_capacity(growth.len());
         places(answer, &mut kinds);
+        let mut behind = 0;
+        let runs: Vec<(Option<usize>, Range<usize>)> = kinds
+            .chunk_by(|a, b| a.line == b.line)
+            .map(|run| {
+                behind += run.len();
+                (run[0].line, behind - run.len()..behind)
+            })
+            .collect();
         let of_member = |member: &PackedVariable| {
-            let places = sum_places(&kinds, member.turned);
-            let own = kinds
-                .iter()
-                .zip(places)
-                .map(|(&kind, place)| if member.moves(kind) { growth[place] } else { 0.0 });
-            (member.variable, step * member.scale, own.collect())
+            let mut own = vec![0.0; kinds.len()];
+            for (_, run) in runs.iter().filter(|(line, _)| member.moves(*line)) {
+                match member.turned {
+                    None => own[run.clone()].copy_from_slice(&growth[run.clone()]),
+                    Some([axis, along]) => run
+                        .clone()
+                        .filter(|idx| kinds[*idx].axis == axis)
+                        .for_each(|idx| own[idx] = growth[idx - axis + along]),
+                }
+            }
+            (member.variable, step * member.scale, own)
         };
         self.packs[pack].iter().map(of_member).collect()
     }
