@@ -8,6 +8,7 @@
 use super::{
     answers::{Answers, Wanted},
     least_model::{HoldingCondition, Terms},
+    least_newton::even_out,
     least_search::{LeastSearch, clamped},
     quadratic_program::dot,
     symmetric_eigen::symmetric_axes,
@@ -69,8 +70,7 @@ where
         let merit = self.merit(&self.values);
         // Down on one side by about as much as up on the other: a slope, however small.
         let (fall, rise) = (merit - least, opposite - merit);
-        let is_slope =
-            LEAST_SLOPE_RELATIVE * merit.abs() < fall && rise < 2.0 * fall && fall < 2.0 * rise;
+        let is_slope = self.is_lower(least) && rise < 2.0 * fall && fall < 2.0 * rise;
         let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
         if is_better {
             (self.place, self.values) = (place, values);
@@ -125,15 +125,26 @@ where
         if CURVATURE_UNKNOWNS < self.place.len() {
             return Ok(false);
         }
-        let ways = free_ways(&holding, self.place.len());
-        let Some(curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
+        let n = self.place.len();
+        let mut ways: Vec<Vec<f64>> = if self.is_free() {
+            (0..n).map(|k| axis(n, k)).collect()
+        } else {
+            free_ways(&holding, n)
+        };
+        let Some(mut curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
+        let stretch = even_out(&mut ways, &mut curvature);
         let axes = symmetric_axes(curvature);
         let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
         let held: Vec<usize> = holding.iter().map(|condition| condition.idx).collect();
+        if self.is_free() && self.leaves_by_newton(&axes, &stretch)? {
+            return Ok(true);
+        }
         for (_, axis) in axes.iter().filter(|(bend, _)| *bend <= LEAST_BEND_RELATIVE * most) {
             let part =
                 |k: usize| -> f64 { ways.iter().zip(axis).map(|(way, part)| part * way[k]).sum() };
             let way: Vec<f64> = (0..self.place.len()).map(part).collect();
+            let length = dot(&way, &way).sqrt();
+            let way: Vec<f64> = way.iter().map(|part| part / length).collect();
             for reach in REACHES {
                 let sides = self.sides(&way, reach * LEAST_PROBE_RELATIVE, &held)?;
                 if self.leaves_for(sides) {
@@ -207,7 +218,7 @@ where
         ways: &[Vec<f64>],
         shares: &[f64],
     ) -> Result<Vec<Vec<f64>>, E> {
-        let reach = LEAST_PROBE_RELATIVE;
+        let reaches: Vec<f64> = ways.iter().map(|way| self.curvature_reach(way)).collect();
         let mut slopes_at = |steps: &[(f64, &Vec<f64>)]| {
             let place = self.beside(base, steps);
             let gradients = self.gradients_at(&place)?;
@@ -222,7 +233,7 @@ where
         };
         let here = slopes_at(&[])?;
         let mut rows = Vec::with_capacity(ways.len());
-        for way in ways {
+        for (way, &reach) in ways.iter().zip(&reaches) {
             let there = slopes_at(&[(reach, way)])?;
             rows.push(
                 there.iter().zip(&here).map(|(there, here)| (there - here) / reach).collect(),

@@ -12,10 +12,14 @@ use super::{
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
-        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FAR,
-        LEAST_PROBE_RELATIVE, LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
+        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_RELATIVE,
+        LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_STALL_RELATIVE,
+        LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
 };
+
+/// Changes that mean nothing, together worth a way.
+const RESOLUTIONS: f64 = 100.0;
 
 /// A search under way. Unknowns are those of the problem, steps are in units of `units`.
 pub(super) struct LeastSearch<'a, F> {
@@ -35,8 +39,10 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) trail: LeastTrail,
     /// Whether places beside its end were better again and again.
     pub(super) is_left: bool,
-    /// The penalized value where the search began.
+    /// The penalized value where the last descent began.
     pub(super) first_merit: f64,
+    /// The curvature where the next steps begin, where that was measured.
+    pub(super) curvature: Option<CurvatureModel>,
     /// The penalized values beside the place at which the search settled, on both sides along each unknown.
     pub(super) beside: Vec<[f64; 2]>,
 }
@@ -65,6 +71,7 @@ where
             slopes: Vec::new(),
             trail: LeastTrail::default(),
             beside: Vec::new(),
+            curvature: None,
             is_left: false,
             first_merit: 0.0,
         };
@@ -83,7 +90,6 @@ where
                 search.weights[idx] = weight;
             }
         }
-        search.first_merit = search.merit(&search.values);
         Ok(search)
     }
 
@@ -134,10 +140,12 @@ where
     /// Goes down until no step leads further.
     pub(super) fn descend(&mut self) -> Result<LeastEnd, E> {
         let mut gradients = self.gradients()?;
+        self.first_merit = self.merit(&self.values);
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
         }
-        let mut model = CurvatureModel::new(self.place.len());
+        let n = self.place.len();
+        let mut model = self.curvature.take().unwrap_or_else(|| CurvatureModel::new(n));
         let mut merit_before = f64::INFINITY;
         for n_steps in 0..CONSTRAINED_STEPS {
             // Among the roundings of differences it may go down for ever.
@@ -155,7 +163,7 @@ where
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
             let Some(step) = model.step(&terms) else { return self.ended(gradients) };
-            if magnitude(&step.way) <= LEAST_STEP_RELATIVE {
+            if magnitude(&step.way) <= LEAST_STEP_RELATIVE && !self.is_free() {
                 return self.ended(gradients);
             }
             self.weigh_conditions(&step);
@@ -166,8 +174,7 @@ where
                 .map(|(broken, penalty)| broken * penalty * step.kept)
                 .sum();
             let slope = terms.slope(&step.way) - broken;
-            let merit = self.merit(&self.values);
-            if -slope <= LAST_BIT * merit.abs() {
+            if -slope <= self.resolution() {
                 return self.ended(gradients);
             }
             let Some((place, values)) = self.shortened(&terms, &model, &step.way, slope)? else {
@@ -193,6 +200,29 @@ where
         Ok(LeastEnd::Unsettled)
     }
 
+    /// A change of the penalized value that means nothing: it is rounding, or next to nothing beside the whole fall.
+    pub(super) fn resolution(&self) -> f64 {
+        let merit = self.merit(&self.values);
+        (LAST_BIT * merit.abs()).max(LEAST_FALL_RELATIVE * (self.first_merit - merit))
+    }
+
+    /// Whether a penalized value is lower than that here, by what is worth going there.
+    pub(super) fn is_lower(&self, there: f64) -> bool {
+        there < self.merit(&self.values) - self.worth()
+    }
+
+    /// A change of the penalized value that is worth a way.
+    pub(super) fn worth(&self) -> f64 {
+        let here = self.merit(&self.values);
+        (LEAST_LOWER_RELATIVE * here.abs()).max(RESOLUTIONS * self.resolution())
+    }
+
+    /// Whether nothing holds the unknowns.
+    pub(super) fn is_free(&self) -> bool {
+        self.values.len() == 1
+            && self.problem.bounds.iter().flatten().all(|bound| bound.is_infinite())
+    }
+
     /// How many times the unknowns' sizes the place is away from zero.
     pub(super) fn distance(&self) -> f64 {
         let sizes = self.place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs());
@@ -209,27 +239,6 @@ where
         })
     }
 
-    /// Whether the function fell by less and less on a long way to the place, and falls on to eight times the distance: it
-    /// ended where rounding hides by how much it falls.
-    pub(super) fn only_tends(&mut self) -> Result<bool, E> {
-        if !self.trail.is_long() || !self.trail.falls_ever_less() {
-            return Ok(false);
-        }
-        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
-        let merit = self.merit(&self.values);
-        let mut least = merit;
-        for times in [1.0, 3.0, 7.0] {
-            let values = self.moved(&out, times)?.1;
-            let beyond = self.merit(&values);
-            // Whatever is no number is not lower either.
-            if beyond.is_nan() || least < beyond {
-                return Ok(false);
-            }
-            least = beyond;
-        }
-        Ok(least < merit)
-    }
-
     /// Lets each broken condition count by as much as it holds a step off, and for more and more where the conditions
     /// contradict one another.
     fn weigh_conditions(&mut self, step: &ModelStep) {
@@ -242,7 +251,7 @@ where
     }
 
     /// How far along a step the penalized value falls enough; none where it does nowhere.
-    fn shortened(
+    pub(super) fn shortened(
         &mut self,
         terms: &Terms<'_>,
         model: &CurvatureModel,
@@ -275,7 +284,7 @@ where
             let part =
                 if there.is_finite() && 0.0 < bend { -0.5 * slope * share / bend } else { 0.25 };
             share *= part.clamp(0.1, 0.5);
-            if -slope * share <= LAST_BIT * merit.abs() {
+            if -slope * share <= self.resolution() {
                 break;
             }
         }

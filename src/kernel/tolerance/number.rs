@@ -316,6 +316,22 @@ pub(crate) const INTEGRAL_END_SHARE: f64 = 1e-3;
 /// Larger keeps what is no least value; smaller goes on where a function's own roundings are lower.
 pub(crate) const LEAST_LOWER_RELATIVE: f64 = 1e-11;
 
+/// A way along which a function bends by this share of the most bends by no less, for a step of Newton's method.
+///
+/// Larger takes steps in narrow valleys that are too short; smaller divides by roundings of the curvature.
+pub(crate) const LEAST_NEWTON_BEND: f64 = 1e-13;
+
+/// A place that is nearer to zero than this share of an unknown's size counts as so far from it where the curvature is
+/// looked at.
+///
+/// Larger looks at it too far beside; smaller between numbers that are no different.
+pub(crate) const LEAST_NEARNESS: f64 = 1e-12;
+
+/// A change of a function by this share of its fall so far means nothing to a descent towards its least value.
+///
+/// Larger ends far from what a power comes to; smaller follows powers of what comes to zero to where numbers end.
+pub(crate) const LEAST_FALL_RELATIVE: f64 = 1e-40;
+
 /// A function lies level where it is above its least value by less than this share of its whole fall.
 ///
 /// Larger ends before its level; smaller takes roundings of the function for a slope.
@@ -325,4 +341,4 @@ pub(crate) const LEAST_LEVEL_RELATIVE: f64 = 1e-10;
 /// comes down to that at a place; one that falls by less tends to it.
 ///
 /// Larger refuses what is smooth where it becomes level; smaller takes what rounding reaches for what is attained.
-pub(crate) const LEVEL_APPROACH: f64 = 1e-6;
+pub(crate) const LEVEL_APPROACH: f64 = 1e-9;

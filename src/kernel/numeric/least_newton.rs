@@ -1,0 +1,84 @@
+//! Whether a step of Newton's method leads lower from where a search for a least value settled.
+//!
+//! What such a step promises tells whether a place is the least one whatever the sizes of unknowns: the model by which a
+//! search came there may have learned its curvature far away. Nocedal & Wright, *Numerical Optimization*, §3.3; the
+//! curvature is scaled as there in §4.5.
+
+use super::{
+    answers::{Answers, Wanted},
+    least_model::{CurvatureModel, Terms},
+    least_search::LeastSearch,
+    quadratic_program::dot,
+};
+use crate::tolerance::{LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_PROBE_RELATIVE};
+
+impl<F, E> LeastSearch<'_, F>
+where
+    F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+{
+    /// Whether a step of Newton's method promises more than rounding, and leads lower; the search goes there, with the
+    /// curvature that is known. Given are the axes of the curvature, each with how it bends, by unknowns that are stretched.
+    pub(super) fn leaves_by_newton(
+        &mut self,
+        axes: &[(f64, Vec<f64>)],
+        stretch: &[f64],
+    ) -> Result<bool, E> {
+        let n = self.place.len();
+        let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
+        let bend_of = |bend: &f64| bend.abs().max(LEAST_NEWTON_BEND * most);
+        let gradients = self.slopes.clone();
+        let slopes: Vec<f64> = gradients[0].iter().zip(stretch).map(|(g, s)| g * s).collect();
+        let mut way = vec![0.0; n];
+        for (bend, axis) in axes {
+            let share = -dot(&slopes, axis) / bend_of(bend);
+            let parts = axis.iter().zip(stretch);
+            way.iter_mut().zip(parts).for_each(|(way, (part, s))| *way += share * part * s);
+        }
+        let slope = dot(&gradients[0], &way);
+        if !self.is_lower(self.merit(&self.values) + 0.5 * slope) {
+            return Ok(false);
+        }
+        let bend_between = |i: usize, j: usize| -> f64 {
+            let sum: f64 = axes.iter().map(|(bend, axis)| bend_of(bend) * axis[i] * axis[j]).sum();
+            sum / (stretch[i] * stretch[j])
+        };
+        let matrix = (0..n).map(|i| (0..n).map(|j| bend_between(i, j)).collect()).collect();
+        let model = CurvatureModel::known(matrix);
+        let terms = Terms {
+            gradients: &gradients,
+            values: &self.weighted(&self.values),
+            limits: &self.limits(&self.place),
+            n_equations: 0,
+        };
+        let lower = self.shortened(&terms, &model, &way, slope)?;
+        let Some((place, values)) = lower.filter(|(_, values)| self.is_lower(self.merit(values)))
+        else {
+            return Ok(false);
+        };
+        (self.place, self.values, self.curvature) = (place, values, Some(model));
+        Ok(true)
+    }
+
+    /// How far along a way the curvature is looked at: less where the place is nearer to zero than the unknowns' sizes.
+    pub(super) fn curvature_reach(&self, way: &[f64]) -> f64 {
+        let along = self.place.iter().zip(&self.units).zip(way);
+        let share: f64 = along.map(|((x, unit), part)| x / unit * part).sum();
+        let nearness = if self.is_free() { share.abs().clamp(LEAST_NEARNESS, 1.0) } else { 1.0 };
+        LEAST_PROBE_RELATIVE * nearness
+    }
+}
+
+/// Stretches ways so that the function bends by one along each, with the curvature between them; by how much.
+pub(super) fn even_out(ways: &mut [Vec<f64>], curvature: &mut [Vec<f64>]) -> Vec<f64> {
+    let bends: Vec<f64> = (0..ways.len()).map(|k| curvature[k][k].abs()).collect();
+    let most = bends.iter().copied().fold(0.0, f64::max);
+    let stretch: Vec<f64> = (bends.into_iter())
+        .map(|bend| if 0.0 < bend { bend } else { most })
+        .map(|bend| if 0.0 < bend { 1.0 / bend.sqrt() } else { 1.0 })
+        .collect();
+    for (i, row) in curvature.iter_mut().enumerate() {
+        ways[i].iter_mut().for_each(|part| *part *= stretch[i]);
+        row.iter_mut().enumerate().for_each(|(j, bend)| *bend *= stretch[i] * stretch[j]);
+    }
+    stretch
+}
