@@ -15,9 +15,7 @@ use super::{
 };
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS},
-    tolerance::{
-        LEAST_BEND_RELATIVE, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE,
-    },
+    tolerance::{LEAST_BEND_RELATIVE, LEAST_FAR, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE},
 };
 
 /// How many times farther than beside it is looked where the curvature is none: what falls with a higher power of
@@ -33,6 +31,18 @@ pub(super) struct Bracket {
     values: Vec<f64>,
 }
 
+/// How a function bends.
+struct Bending {
+    /// Ways that are left free, so long that it bends by one along each.
+    ways: Vec<Vec<f64>>,
+    /// By how much longer than one they are.
+    stretch: Vec<f64>,
+    /// The axes of its curvature by those ways, each with how it bends along it.
+    axes: Vec<(f64, Vec<f64>)>,
+    /// The conditions that hold the place.
+    held: Vec<usize>,
+}
+
 impl<F, E> LeastSearch<'_, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
@@ -40,11 +50,22 @@ where
     /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
-        let best = self.look_beside()?;
-        if best.is_some_and(|best| self.leaves_for(best)) {
+        let bending = self.bending()?;
+        if let Some(Bending { axes, stretch, .. }) = &bending
+            && self.is_free()
+            && self.leaves_by_newton(axes, stretch)?
+        {
             return Ok(true);
         }
-        self.leaves_by_curvature()
+        if let Some(best) = self.look_beside()?
+            && self.leaves_for(best, LEAST_PROBE_RELATIVE)?
+        {
+            return Ok(true);
+        }
+        match bending {
+            Some(bending) => self.leaves_along(&bending),
+            None => Ok(false),
+        }
     }
 
     /// Looks at both sides along each unknown, and keeps what is there; those of which the better one is best.
@@ -62,20 +83,28 @@ where
         Ok(best)
     }
 
-    /// Goes to a place that is better than this one.
-    fn leaves_for(
-        &mut self,
-        Bracket { merits: [least, opposite], place, values, .. }: Bracket,
-    ) -> bool {
-        let merit = self.merit(&self.values);
-        // Down on one side by about as much as up on the other: a slope, however small.
-        let (fall, rise) = (merit - least, opposite - merit);
-        let is_slope = self.is_lower(least) && rise < 2.0 * fall && fall < 2.0 * rise;
-        let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
-        if is_better {
-            (self.place, self.values) = (place, values);
+    /// Goes to a place that is lower than this one, and where nothing holds the unknowns on from it as long as that is twice
+    /// as far each time.
+    fn leaves_for(&mut self, lower: Bracket, reach: f64) -> Result<bool, E> {
+        if !self.is_lower(lower.merits[0], reach) {
+            return Ok(false);
         }
-        is_better
+        let parts = lower.place.iter().zip(&self.place).zip(&self.units);
+        let way: Vec<f64> = parts.map(|((there, here), unit)| (there - here) / unit).collect();
+        let mut best = (lower.place, lower.values);
+        self.left_by = reach;
+        let mut times = 2.0;
+        while self.is_free() && times * reach <= LEAST_FAR {
+            let farther = self.moved(&way, times)?;
+            if self.merit(&best.1) <= self.merit(&farther.1) {
+                break;
+            }
+            best = farther;
+            self.left_by = times * reach;
+            times *= 2.0;
+        }
+        (self.place, self.values) = best;
+        Ok(true)
     }
 
     /// The places on both sides along a way, led back to where the conditions hold and those that are held are zero.
@@ -113,32 +142,32 @@ where
         Ok(best)
     }
 
-    /// Whether a place is better along a way on which the function does not bend up; the search goes there.
-    fn leaves_by_curvature(&mut self) -> Result<bool, E> {
+    /// How the function bends along the ways that what holds the place leaves free; none where that is not known.
+    fn bending(&mut self) -> Result<Option<Bending>, E> {
         let terms = Terms {
             gradients: &self.slopes,
             values: &self.weighted(&self.values),
             limits: &self.limits(&self.place),
             n_equations: self.problem.n_equations,
         };
-        let Some(holding) = terms.holding() else { return Ok(false) };
-        if CURVATURE_UNKNOWNS < self.place.len() {
-            return Ok(false);
-        }
         let n = self.place.len();
-        let mut ways: Vec<Vec<f64>> = if self.is_free() {
-            (0..n).map(|k| axis(n, k)).collect()
-        } else {
-            free_ways(&holding, n)
+        let Some(holding) = terms.holding().filter(|_| n <= CURVATURE_UNKNOWNS) else {
+            return Ok(None);
         };
-        let Some(mut curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
+        let mut ways = match self.is_free() {
+            true => (0..n).map(|k| axis(n, k)).collect(),
+            false => free_ways(&holding, n),
+        };
+        let Some(mut curvature) = self.curvature(&ways, &holding)? else { return Ok(None) };
         let stretch = even_out(&mut ways, &mut curvature);
         let axes = symmetric_axes(curvature);
+        let held = holding.iter().map(|condition| condition.idx).collect();
+        Ok(Some(Bending { ways, stretch, axes, held }))
+    }
+
+    /// Whether a place is lower along a way on which the function does not bend up; the search goes there.
+    fn leaves_along(&mut self, Bending { ways, axes, held, .. }: &Bending) -> Result<bool, E> {
         let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
-        let held: Vec<usize> = holding.iter().map(|condition| condition.idx).collect();
-        if self.is_free() && self.leaves_by_newton(&axes, &stretch)? {
-            return Ok(true);
-        }
         for (_, axis) in axes.iter().filter(|(bend, _)| *bend <= LEAST_BEND_RELATIVE * most) {
             let part =
                 |k: usize| -> f64 { ways.iter().zip(axis).map(|(way, part)| part * way[k]).sum() };
@@ -146,8 +175,9 @@ where
             let length = dot(&way, &way).sqrt();
             let way: Vec<f64> = way.iter().map(|part| part / length).collect();
             for reach in REACHES {
-                let sides = self.sides(&way, reach * LEAST_PROBE_RELATIVE, &held)?;
-                if self.leaves_for(sides) {
+                let reach = reach * LEAST_PROBE_RELATIVE;
+                let sides = self.sides(&way, reach, held)?;
+                if self.leaves_for(sides, reach)? {
                     return Ok(true);
                 }
             }

@@ -68,25 +68,4 @@ where
             false => Beyond::Falls(LeastEnd::Unbounded),
         })
     }
-
-    /// Whether the function fell by less and less on a long way to the place, and falls on to eight times the distance: it
-    /// ended where rounding hides by how much it falls.
-    pub(super) fn only_tends(&mut self) -> Result<bool, E> {
-        if !self.trail.is_long() || !self.trail.falls_ever_less() {
-            return Ok(false);
-        }
-        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
-        let merit = self.merit(&self.values);
-        let mut least = merit;
-        for times in [1.0, 3.0, 7.0] {
-            let values = self.moved(&out, times)?.1;
-            let beyond = self.merit(&values);
-            // Whatever is no number is not lower either.
-            if beyond.is_nan() || least < beyond {
-                return Ok(false);
-            }
-            least = beyond;
-        }
-        Ok(least < merit)
-    }
 }

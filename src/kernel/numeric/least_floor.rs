@@ -14,7 +14,8 @@ use super::{
 use crate::{
     ceiling::EDGE_HALVINGS,
     tolerance::{
-        LEAST_FAR, LEAST_LEVEL_RELATIVE, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE, LEVEL_APPROACH,
+        LAST_BIT, LEAST_FAR, LEAST_LEVEL_RELATIVE, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
+        LEVEL_APPROACH,
     },
 };
 
@@ -31,8 +32,8 @@ const ROUNDINGS: f64 = 16.0;
 /// How many times the unknowns' sizes away it is asked still farther off.
 const FAR_OUT: f64 = 10.0;
 
-/// How many times farther, first and then.
-const OUTWARD: [f64; 2] = [7.0, 63.0];
+/// How many times farther each time.
+const OUTWARD: f64 = 8.0;
 
 /// The share of the way to where a function became level up to which it was not yet.
 const EDGE_WIDTH: f64 = 0.995;
@@ -40,10 +41,9 @@ const EDGE_WIDTH: f64 = 0.995;
 /// How often it is looked behind what seemed level whether it falls on there.
 const LEVEL_ROUNDS: usize = 3;
 
-/// The share of what it fell over the last tenth of that way that it falls at its very end, at least, where it comes down
-/// to a level by a step of its own rounding; its whole fall is so many times as deep.
-const LEVEL_STEP: f64 = 0.025;
-const STEPS_OF_A_FALL: f64 = 20.0;
+/// The share of its whole fall by which a function still falls over the last tenth of that way, at least, if it comes down to a
+/// level straight.
+const LEVEL_SHARE: f64 = 0.05;
 
 /// Unknowns that are looked along one by one; of more, along all together.
 const MOST_NEARER: usize = 3;
@@ -90,23 +90,15 @@ where
         }
         let mut n_hidden = 0;
         for &k in &unbounded {
-            for (side, merit) in
-                [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE].into_iter().zip(self.beside[k])
-            {
-                if self.is_lower(merit) {
-                    return Ok(Floor::Lower(self.moved(&axis(n, k), side)?.0));
-                }
-            }
             let mut sides = [0, 1].map(|side| self.side(self.beside[k][side]));
             if let Some(lower) = self.lower_farther(k, &mut sides)? {
                 return Ok(Floor::Lower(lower));
             }
+            if let Some(lower) = self.lower_outward(k, first[k], &mut sides)? {
+                return Ok(Floor::Lower(lower));
+            }
             match sides {
-                [Side::Higher, Side::Higher] => {
-                    if let Some(floor) = self.outward(k, first[k])? {
-                        return Ok(floor);
-                    }
-                }
+                [Side::Higher, Side::Higher] => {}
                 [Side::Hidden, Side::Hidden] => n_hidden += 1,
                 _ if self.tends(k, first[k])? => {
                     return Ok(Floor::Other(LeastEnd::Unattained));
@@ -114,38 +106,59 @@ where
                 _ => {}
             }
         }
-        if 0 < n && n_hidden == n {
-            if may_rest && self.is_plateau(&unbounded, first)? {
-                return Ok(Floor::Told);
-            }
-            return Ok(Floor::Other(LeastEnd::Flat));
+        match 0 < n && n_hidden == n {
+            true => self.level(&unbounded, first, may_rest),
+            false => Ok(Floor::Told),
         }
-        Ok(Floor::Told)
     }
 
-    /// What is farther out from zero along an unknown that is many times its size away, where the function is no higher
-    /// even there: it came to where its own rounding hides how it falls.
-    fn outward(&mut self, k: usize, first: f64) -> Result<Option<Floor>, E> {
+    /// What a place is all around which rounding hides what the function does.
+    fn level(&mut self, along: &[usize], first: &[f64], may_rest: bool) -> Result<Floor, E> {
+        if !may_rest {
+            return Ok(Floor::Other(LeastEnd::Flat));
+        }
+        for &k in along {
+            if self.tends(k, first[k])? {
+                return Ok(Floor::Other(LeastEnd::Unattained));
+            }
+        }
+        let here = self.merit(&self.values);
+        let is_level = |&k: &usize| self.beside[k].iter().all(|merit| (merit - here).abs() <= 0.0);
+        let is_plateau = along.iter().all(is_level);
+        Ok(if is_plateau { Floor::Told } else { Floor::Other(LeastEnd::Flat) })
+    }
+
+    /// A lower place farther out from zero along an unknown that is many times its size away; where the function is no
+    /// higher there, that side of it is hidden: the search came to where rounding hides how it falls.
+    fn lower_outward(
+        &mut self,
+        k: usize,
+        first: f64,
+        sides: &mut [Side; 2],
+    ) -> Result<Option<Vec<f64>>, E> {
         let out = self.place[k] / self.units[k];
         let size = if first == 0.0 { self.units[k] } else { self.units[k].min(first.abs()) };
-        if self.place[k].abs() < FAR_OUT * size {
+        if sides.contains(&Side::Hidden) || self.place[k].abs() < FAR_OUT * size {
             return Ok(None);
         }
         let way: Vec<f64> = axis(self.place.len(), k).iter().map(|part| part * out).collect();
-        let here = self.merit(&self.values);
-        let (place, values) = self.moved(&way, OUTWARD[0])?;
-        let merit = self.merit(&values);
-        if here < merit || self.is_still(k, &place) {
-            return Ok(None);
+        let most = LEAST_FAR * self.place[k].abs().max(1.0).max(self.units[k]);
+        let (mut lower, mut least) = (None, self.merit(&self.values));
+        let mut times = OUTWARD;
+        while times * self.place[k].abs() <= most {
+            let (place, values) = self.moved(&way, times - 1.0)?;
+            let merit = self.merit(&values);
+            if least < merit || self.is_still(k, &place) {
+                return Ok(None);
+            }
+            if lower.is_none() && self.is_lower(merit, times) {
+                lower = Some(place);
+            }
+            least = merit;
+            times *= OUTWARD;
         }
-        let farther = self.moved(&way, OUTWARD[1])?.1;
-        if merit < self.merit(&farther) {
-            return Ok(None);
-        }
-        if self.is_lower(merit) {
-            return Ok(Some(Floor::Lower(place)));
-        }
-        Ok(self.tends(k, first)?.then_some(Floor::Other(LeastEnd::Unattained)))
+        sides[usize::from(0.0 < out)] = Side::Hidden;
+        Ok(lower)
     }
 
     /// Whether an unknown is the same at another place.
@@ -155,7 +168,7 @@ where
 
     /// A change of the value here that rounding does not hide.
     fn visible(&self) -> f64 {
-        ROUNDINGS * self.resolution()
+        ROUNDINGS * LAST_BIT * self.merit(&self.values).abs()
     }
 
     fn side(&self, merit: f64) -> Side {
@@ -184,7 +197,7 @@ where
                 reach /= NEARER;
                 for side in [-reach, reach] {
                     let (place, values) = self.moved(&way, side)?;
-                    if self.is_lower(self.merit(&values)) {
+                    if self.is_lower(self.merit(&values), reach.abs()) {
                         return Ok(Some(place));
                     }
                 }
@@ -206,7 +219,7 @@ where
                 }
                 let (place, values) = self.moved(&way, sign * reach)?;
                 let merit = self.merit(&values);
-                if self.is_lower(merit) {
+                if self.is_lower(merit, reach) {
                     return Ok(Some(place));
                 }
                 // A bound ends a way.
@@ -233,29 +246,13 @@ where
             let [before, level] = self.level_from(k, first, (from, whole))?;
             let share = from + 0.9 * (level.0 - from);
             let near = self.rise_before(k, first, share)?;
-            // Down to the level by a step of rounding.
-            let is_step = LEVEL_STEP * near < before.1 && STEPS_OF_A_FALL * near < whole;
-            if near < LEVEL_APPROACH * whole || is_step {
+            let powers = [near / before.1, whole / before.1].map(libm::log);
+            if near < LEVEL_SHARE * whole && powers[0] < LEVEL_APPROACH * powers[1] {
                 return Ok(true);
             }
             from = level.0;
         }
         Ok(false)
-    }
-
-    /// Whether the function is the same on both sides along each of some unknowns, and came down to that at a place.
-    fn is_plateau(&mut self, along: &[usize], first: &[f64]) -> Result<bool, E> {
-        let here = self.merit(&self.values);
-        let is_level = |&k: &usize| self.beside[k].iter().all(|merit| (merit - here).abs() <= 0.0);
-        if !along.iter().all(is_level) {
-            return Ok(false);
-        }
-        for &k in along {
-            if self.tends(k, first[k])? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
     }
 
     /// By how much the function is higher than here at a share of the way to here along an unknown from where that began.

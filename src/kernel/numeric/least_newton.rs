@@ -6,11 +6,13 @@
 
 use super::{
     answers::{Answers, Wanted},
-    least_model::{CurvatureModel, Terms},
+    least_model::{CurvatureModel, Terms, magnitude},
     least_search::LeastSearch,
     quadratic_program::dot,
 };
-use crate::tolerance::{LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_PROBE_RELATIVE};
+use crate::tolerance::{
+    LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_NEWTON_REACH, LEAST_PROBE_RELATIVE,
+};
 
 impl<F, E> LeastSearch<'_, F>
 where
@@ -35,7 +37,8 @@ where
             way.iter_mut().zip(parts).for_each(|(way, (part, s))| *way += share * part * s);
         }
         let slope = dot(&gradients[0], &way);
-        if !self.is_lower(self.merit(&self.values) + 0.5 * slope) {
+        let reach = magnitude(&way);
+        if !self.is_lower(self.merit(&self.values) + 0.5 * slope, reach) {
             return Ok(false);
         }
         let bend_between = |i: usize, j: usize| -> f64 {
@@ -51,20 +54,25 @@ where
             n_equations: 0,
         };
         let lower = self.shortened(&terms, &model, &way, slope)?;
-        let Some((place, values)) = lower.filter(|(_, values)| self.is_lower(self.merit(values)))
+        let Some((place, values)) =
+            lower.filter(|(_, values)| self.is_lower(self.merit(values), reach))
         else {
             return Ok(false);
         };
-        (self.place, self.values, self.curvature) = (place, values, Some(model));
+        (self.place, self.values, self.left_by) = (place, values, reach);
+        self.curvature = Some(model);
         Ok(true)
     }
 
-    /// How far along a way the curvature is looked at: less where the place is nearer to zero than the unknowns' sizes.
+    /// How far along a way the curvature is looked at by gradients: where nothing holds the unknowns by how far the place is
+    /// from zero, if that is nearer than their sizes.
     pub(super) fn curvature_reach(&self, way: &[f64]) -> f64 {
+        if !self.is_free() {
+            return LEAST_PROBE_RELATIVE;
+        }
         let along = self.place.iter().zip(&self.units).zip(way);
         let share: f64 = along.map(|((x, unit), part)| x / unit * part).sum();
-        let nearness = if self.is_free() { share.abs().clamp(LEAST_NEARNESS, 1.0) } else { 1.0 };
-        LEAST_PROBE_RELATIVE * nearness
+        LEAST_NEWTON_REACH * share.abs().clamp(LEAST_NEARNESS, 1.0)
     }
 }
 

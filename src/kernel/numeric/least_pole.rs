@@ -40,7 +40,6 @@ pub fn find_pole<E>(
             Ok(function(at)?.map(|value| (vec![at], value)))
         },
         spacing: |place: &[f64], _| spacing(place[0]) / width,
-        resolution: 0.0,
     };
     Ok(search.pole(&[0])?.map(|place| place[0]))
 }
@@ -77,7 +76,6 @@ where
         let best = (self.place.clone(), share * self.values[0]);
         let allowed = self.most_broken().max(CONDITION_RELATIVE);
         let units = self.units.clone();
-        let resolution = self.worth() / self.weights[0] * share;
         let search = PoleSearch {
             best,
             n_ways: ways.len(),
@@ -95,7 +93,6 @@ where
                 let moved = parts.filter(|(_, part)| MOVED_SHARE < part.abs());
                 moved.map(|((x, unit), part)| spacing(*x) / (unit * part.abs())).fold(0.0, f64::max)
             },
-            resolution,
         };
         let pole = search.pole(&first_ways)?;
         let is_pole = pole.is_some();

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
-    tolerance::{LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
+    tolerance::{LEAST_FALL_REACH, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
 };
 
 /// Rounds behind which places beside the end were better again and again, at most.
@@ -130,7 +130,8 @@ impl RoundsBefore {
     /// settled, if it came to zero beside the whole fall and those behind it to nothing else.
     fn told(self, last: Ended) -> Ended {
         let tells_nothing = |far: &Ended| match last.end {
-            LeastEnd::Unsettled | LeastEnd::Contradictory | LeastEnd::Flat => true,
+            LeastEnd::Unsettled => far.end == LeastEnd::Unattained,
+            LeastEnd::Contradictory | LeastEnd::Flat => true,
             end => end == far.end,
         };
         self.far.filter(tells_nothing).unwrap_or(last)
@@ -160,18 +161,17 @@ where
                 // Whatever is nearer to a root is lower.
                 let nothing =
                     LEAST_LOWER_RELATIVE * LEAST_LOWER_RELATIVE * (began - self.values[0]);
-                let is_zero = self.values[0].abs() <= nothing;
+                let is_zero = self.left_by <= LEAST_FALL_REACH && self.values[0].abs() <= nothing;
                 end = if is_zero { LeastEnd::Settled } else { LeastEnd::Unsettled };
                 break;
             }
             end = self.descend()?;
             n_restarts += 1;
         }
-        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && self.is_at_pole()? {
+        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled)
+            && (self.values[0] < END_OF_NUMBERS || self.is_at_pole()?)
+        {
             end = if self.falls_outward()? { LeastEnd::Unbounded } else { LeastEnd::Pole };
-        }
-        if end == LeastEnd::Settled && self.only_tends()? {
-            end = LeastEnd::Unattained;
         }
         Ok(end)
     }
@@ -180,7 +180,8 @@ where
     fn falls_outward(&mut self) -> Result<bool, E> {
         let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
         let values = self.moved(&out, LEAST_PROBE_RELATIVE)?.1;
-        Ok(self.merit(&values) < self.merit(&self.values))
+        let there = self.merit(&values);
+        Ok(there < self.merit(&self.values) || !there.is_finite())
     }
 
     fn ended_by(&self, end: LeastEnd) -> Ended {

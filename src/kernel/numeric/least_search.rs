@@ -12,9 +12,9 @@ use super::{
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
-        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_RELATIVE,
-        LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_STALL_RELATIVE,
-        LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
+        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
+        LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
+        LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
 };
 
@@ -37,6 +37,8 @@ pub(super) struct LeastSearch<'a, F> {
     /// The weighted gradients at the place where the steps ended.
     pub(super) slopes: Vec<Vec<f64>>,
     pub(super) trail: LeastTrail,
+    /// How far the last place was that was lower beside an end.
+    pub(super) left_by: f64,
     /// Whether places beside its end were better again and again.
     pub(super) is_left: bool,
     /// The penalized value where the last descent began.
@@ -72,6 +74,7 @@ where
             trail: LeastTrail::default(),
             beside: Vec::new(),
             curvature: None,
+            left_by: 0.0,
             is_left: false,
             first_merit: 0.0,
         };
@@ -174,7 +177,7 @@ where
                 .map(|(broken, penalty)| broken * penalty * step.kept)
                 .sum();
             let slope = terms.slope(&step.way) - broken;
-            if -slope <= self.resolution() {
+            if -slope <= self.resolution(magnitude(&step.way)) {
                 return self.ended(gradients);
             }
             let Some((place, values)) = self.shortened(&terms, &model, &step.way, slope)? else {
@@ -200,21 +203,19 @@ where
         Ok(LeastEnd::Unsettled)
     }
 
-    /// A change of the penalized value that means nothing: it is rounding, or next to nothing beside the whole fall.
-    pub(super) fn resolution(&self) -> f64 {
+    /// A change of the penalized value over so far that means nothing: it is rounding, or next to nothing beside the fall so
+    /// far, which counts only over ways that are next to none as well: an exponential function falls by as much.
+    fn resolution(&self, reach: f64) -> f64 {
         let merit = self.merit(&self.values);
-        (LAST_BIT * merit.abs()).max(LEAST_FALL_RELATIVE * (self.first_merit - merit))
+        let fall = if reach <= LEAST_FALL_REACH { self.first_merit - merit } else { 0.0 };
+        (LAST_BIT * merit.abs()).max(LEAST_FALL_RELATIVE * fall)
     }
 
-    /// Whether a penalized value is lower than that here, by what is worth going there.
-    pub(super) fn is_lower(&self, there: f64) -> bool {
-        there < self.merit(&self.values) - self.worth()
-    }
-
-    /// A change of the penalized value that is worth a way.
-    pub(super) fn worth(&self) -> f64 {
+    /// Whether a penalized value so far away is lower than that here, by what is worth going there.
+    pub(super) fn is_lower(&self, there: f64, reach: f64) -> bool {
         let here = self.merit(&self.values);
-        (LEAST_LOWER_RELATIVE * here.abs()).max(RESOLUTIONS * self.resolution())
+        let least = LEAST_LOWER_RELATIVE * here.abs();
+        there < here - least.max(RESOLUTIONS * self.resolution(reach))
     }
 
     /// Whether nothing holds the unknowns.
@@ -284,7 +285,7 @@ where
             let part =
                 if there.is_finite() && 0.0 < bend { -0.5 * slope * share / bend } else { 0.25 };
             share *= part.clamp(0.1, 0.5);
-            if -slope * share <= self.resolution() {
+            if -slope * share <= self.resolution(share * magnitude(way)) {
                 break;
             }
         }

@@ -44,8 +44,6 @@ pub(super) struct PoleSearch<G, S> {
     pub(super) go: G,
     /// How far along a way from a place numbers are apart.
     pub(super) spacing: S,
-    /// A change of the value that means nothing.
-    pub(super) resolution: f64,
 }
 
 impl<E, G, S> PoleSearch<G, S>
@@ -90,7 +88,6 @@ where
                 let Some(value) = self.value(way, reach)? else { continue };
                 let rise = value - self.best.1;
                 let gain = LEAST_GAIN_RELATIVE * (self.best.1.abs() + rise.abs());
-                let gain = gain.max(self.resolution);
                 let is_steep = farther.is_some_and(|farther| farther < LEAST_RISE * rise);
                 if rise < -gain || gain < rise && is_steep {
                     return Ok(true);

@@ -321,11 +321,21 @@ pub(crate) const LEAST_LOWER_RELATIVE: f64 = 1e-11;
 /// Larger takes steps in narrow valleys that are too short; smaller divides by roundings of the curvature.
 pub(crate) const LEAST_NEWTON_BEND: f64 = 1e-13;
 
+/// How far beside a place gradients tell the curvature for a step of Newton's method, as a fraction of the unknowns' sizes.
+///
+/// Larger looks over valleys that are narrow; smaller sees roundings of gradients.
+pub(crate) const LEAST_NEWTON_REACH: f64 = 1e-6;
+
 /// A place that is nearer to zero than this share of an unknown's size counts as so far from it where the curvature is
 /// looked at.
 ///
 /// Larger looks at it too far beside; smaller between numbers that are no different.
 pub(crate) const LEAST_NEARNESS: f64 = 1e-12;
+
+/// Over ways that are longer than this fraction of the unknowns' sizes [`LEAST_FALL_RELATIVE`] does not count.
+///
+/// Larger ends where an exponential function fell by much and falls on; smaller follows powers for longer.
+pub(crate) const LEAST_FALL_REACH: f64 = 1e-5;
 
 /// A change of a function by this share of its fall so far means nothing to a descent towards its least value.
 ///
@@ -337,8 +347,8 @@ pub(crate) const LEAST_FALL_RELATIVE: f64 = 1e-40;
 /// Larger ends before its level; smaller takes roundings of the function for a slope.
 pub(crate) const LEAST_LEVEL_RELATIVE: f64 = 1e-10;
 
-/// The share of its whole fall by which a function still falls over the last tenth of the way to where it lies level, if it
-/// comes down to that at a place; one that falls by less tends to it.
+/// The share of all powers of ten of its fall by which a function still falls over the last tenth of the way to where it lies
+/// level, if it comes down to that at a place; one that falls by less tends to it, as exponential functions do by a tenth.
 ///
 /// Larger refuses what is smooth where it becomes level; smaller takes what rounding reaches for what is attained.
-pub(crate) const LEVEL_APPROACH: f64 = 1e-9;
+pub(crate) const LEVEL_APPROACH: f64 = 0.2;
