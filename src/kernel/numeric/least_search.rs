@@ -43,6 +43,8 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) is_left: bool,
     /// The penalized value where the last descent began.
     pub(super) first_merit: f64,
+    /// The weighted gradients where the first descent begins, until it does.
+    first_gradients: Option<Vec<Vec<f64>>>,
     /// The curvature where the next steps begin, where that was measured.
     pub(super) curvature: Option<CurvatureModel>,
     /// The penalized values beside the place at which the search settled, on both sides along each unknown.
@@ -73,17 +75,15 @@ where
             slopes: Vec::new(),
             trail: LeastTrail::default(),
             beside: Vec::new(),
+            first_gradients: None,
             curvature: None,
             left_by: 0.0,
             is_left: false,
             first_merit: 0.0,
         };
-        let mut gradients = search.gradients()?;
-        let narrow = search.units.clone();
-        let changes = search.widen_units(&gradients)?;
-        if search.units != narrow {
-            gradients = search.gradients()?;
-        }
+        let slopes = search.asked.gradients(&search.place, search.problem.bounds)?;
+        let changes = search.widen_units(&search.scaled(slopes.clone()))?;
+        let gradients = search.scaled(slopes.clone());
         for (idx, (gradient, change)) in gradients.iter().zip(changes).enumerate() {
             // A slope that is nothing beside that change tells nothing of the function's.
             let slope = magnitude(gradient);
@@ -93,6 +93,7 @@ where
                 search.weights[idx] = weight;
             }
         }
+        search.first_gradients = Some(search.scaled(slopes));
         Ok(search)
     }
 
@@ -103,13 +104,18 @@ where
 
     /// Those at any place.
     pub(super) fn gradients_at(&mut self, place: &[f64]) -> Result<Vec<Vec<f64>>, E> {
-        let mut gradients = self.asked.gradients(place, self.problem.bounds)?;
+        let gradients = self.asked.gradients(place, self.problem.bounds)?;
+        Ok(self.scaled(gradients))
+    }
+
+    /// Gradients with the weights of their functions, by the unknowns in their units.
+    fn scaled(&self, mut gradients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         for (gradient, weight) in gradients.iter_mut().zip(&self.weights) {
             for (slope, unit) in gradient.iter_mut().zip(&self.units) {
                 *slope *= unit * weight;
             }
         }
-        Ok(gradients)
+        gradients
     }
 
     pub(super) fn weighted(&self, values: &[f64]) -> Vec<f64> {
@@ -142,7 +148,10 @@ where
 
     /// Goes down until no step leads further.
     pub(super) fn descend(&mut self) -> Result<LeastEnd, E> {
-        let mut gradients = self.gradients()?;
+        let mut gradients = match self.first_gradients.take() {
+            Some(gradients) => gradients,
+            None => self.gradients()?,
+        };
         self.first_merit = self.merit(&self.values);
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
