@@ -249,7 +249,7 @@ const PAIRS: [[f64; 2]; 14] = [
     [1e-12, -1e6],
 ];
 
-const OF_ONE: [(Function, Known); 72] = [
+const OF_ONE: [(Function, Known); 75] = [
     (|a, _| (a - 3.0) * (a - 3.0), At(&[[3.0, 0.0]])),
     (|a, _| (a - 1e-6) * (a - 1e-6), At(&[[1e-6, 0.0]])),
     (|a, _| (a - 1e-9) * (a - 1e-9) + 1.0, At(&[[1e-9, 0.0]])),
@@ -331,9 +331,12 @@ const OF_ONE: [(Function, Known); 72] = [
     (|a, _| ((-a).exp() + 1.0).ln(), Tends(0.0)),
     (|a, _| -1.0 / (a * a), Pole),
     (|a, _| -1.0 / ((a - 3.0) * (a - 3.0)), Pole),
+    (|a, _| (a - 3.0).max(0.0).pow(8.0) + 2.0, Value(2.0)),
+    (|a, _| (a - 3.0).max(0.0).pow(1.5) + 1.0, Value(1.0)),
+    (|a, _| 1e-5 * (-a * a).exp() + 1.0, Tends(1.0)),
 ];
 
-const OF_TWO: [(Function, Known); 29] = [
+const OF_TWO: [(Function, Known); 34] = [
     (|a, b| (a - 3.0) * (a - 3.0) + (b - 2.0) * (b - 2.0), At(&[[3.0, 2.0]])),
     (|a, b| (a - 1e6) * (a - 1e6) + (b - 2.0) * (b - 2.0), At(&[[1e6, 2.0]])),
     (|a, b| 100.0 * (b - a * a).pow(2.0) + (a - 1.0).pow(2.0), At(&[[1.0, 1.0]])),
@@ -365,6 +368,17 @@ const OF_TWO: [(Function, Known); 29] = [
     (
         |a, b| a.pow(4.0) + b.pow(4.0) - 2.0 * a * b,
         At(&[[0.707_106_781_186_547_5; 2], [-0.707_106_781_186_547_5; 2]]),
+    ),
+    (|a, b| a.pow(4.0) + ((b - 2.0).pow(2.0) + 1.0).ln(), At(&[[0.0, 2.0]])),
+    (|a, b| a.pow(4.0) + b.pow(6.0), At(&[[0.0; 2]])),
+    (|a, b| 1e-6 * a * a + (b * b + 1.0).ln(), At(&[[0.0; 2]])),
+    (|a, b| 1e12 * (a - 3e-8).pow(2.0) + (b - 1.0).pow(2.0), At(&[[3e-8, 1.0]])),
+    (
+        |a, b| {
+            let part = |rest: f64, power: Sloped| (a * power - a + rest).pow(2.0);
+            part(1.5, b) + part(2.25, b * b) + part(2.625, b * b * b)
+        },
+        AtOrTends(&[[3.0, 0.5]]),
     ),
 ];
 

@@ -92,18 +92,16 @@ where
         let parts = lower.place.iter().zip(&self.place).zip(&self.units);
         let way: Vec<f64> = parts.map(|((there, here), unit)| (there - here) / unit).collect();
         let mut best = (lower.place, lower.values);
-        self.left_by = reach;
-        let mut times = 2.0;
+        let mut times = 1.0;
         while self.is_free() && times * reach <= LEAST_FAR {
-            let farther = self.moved(&way, times)?;
+            let farther = self.moved(&way, 2.0 * times)?;
             if self.merit(&best.1) <= self.merit(&farther.1) {
                 break;
             }
             best = farther;
-            self.left_by = times * reach;
             times *= 2.0;
         }
-        (self.place, self.values) = best;
+        self.leave_for(best, times * reach);
         Ok(true)
     }
 
@@ -249,22 +247,19 @@ where
         shares: &[f64],
     ) -> Result<Vec<Vec<f64>>, E> {
         let reaches: Vec<f64> = ways.iter().map(|way| self.curvature_reach(way)).collect();
-        let mut slopes_at = |steps: &[(f64, &Vec<f64>)]| {
-            let place = self.beside(base, steps);
-            let gradients = self.gradients_at(&place)?;
+        let slopes = |gradients: &[Vec<f64>]| -> Vec<f64> {
             let slope = |way: &Vec<f64>| {
-                gradients
-                    .iter()
-                    .zip(shares)
-                    .map(|(gradient, share)| share * dot(gradient, way))
-                    .sum()
+                gradients.iter().zip(shares).map(|(slopes, share)| share * dot(slopes, way)).sum()
             };
-            Ok::<Vec<f64>, E>(ways.iter().map(slope).collect())
+            ways.iter().map(slope).collect()
         };
-        let here = slopes_at(&[])?;
+        let here = match self.is_free() {
+            true => slopes(&self.slopes),
+            false => slopes(&self.gradients_at(base)?),
+        };
         let mut rows = Vec::with_capacity(ways.len());
         for (way, &reach) in ways.iter().zip(&reaches) {
-            let there = slopes_at(&[(reach, way)])?;
+            let there = slopes(&self.gradients_at(&self.beside(base, &[(reach, way)]))?);
             rows.push(
                 there.iter().zip(&here).map(|(there, here)| (there - here) / reach).collect(),
             );

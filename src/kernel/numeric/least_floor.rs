@@ -70,7 +70,7 @@ where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
     /// What is beside the place at which the search settled, where no condition tells of other sizes; `first` is where the
-    /// first of its rounds began. It may follow a way that bends, and may rest where all around is as low.
+    /// first of its rounds began. It may rest where all around is as low.
     pub(super) fn floor(&mut self, first: &[f64], may_rest: bool) -> Result<Floor, E> {
         if 1 < self.values.len() {
             return Ok(Floor::Told);

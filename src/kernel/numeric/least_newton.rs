@@ -54,12 +54,9 @@ where
             n_equations: 0,
         };
         let lower = self.shortened(&terms, &model, &way, slope)?;
-        let Some((place, values)) =
-            lower.filter(|(_, values)| self.is_lower(self.merit(values), reach))
-        else {
-            return Ok(false);
-        };
-        (self.place, self.values, self.left_by) = (place, values, reach);
+        let lower = lower.filter(|(_, values)| self.is_lower(self.merit(values), reach));
+        let Some(lower) = lower else { return Ok(false) };
+        self.leave_for(lower, reach);
         self.curvature = Some(model);
         Ok(true)
     }
@@ -89,4 +86,59 @@ pub(super) fn even_out(ways: &mut [Vec<f64>], curvature: &mut [Vec<f64>]) -> Vec
         row.iter_mut().enumerate().for_each(|(j, bend)| *bend *= stretch[i] * stretch[j]);
     }
     stretch
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Answers, ConstrainedLeast, LeastEnd, LeastProblem};
+
+    const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+
+    fn found(function: fn(&[f64]) -> (f64, Vec<f64>), start: &[f64]) -> ConstrainedLeast {
+        let answers = |x: &[f64], _| {
+            let (value, slopes) = function(x);
+            Ok::<_, ()>(Answers { values: vec![value], gradients: Some(vec![slopes]) })
+        };
+        LeastProblem { start, bounds: &vec![FREE; start.len()], n_equations: 0 }
+            .find(answers)
+            .expect("no failure")
+    }
+
+    /// Beale's function, Moré, Garbow & Hillstrom, *Testing Unconstrained Optimization Software*, problem 5.
+    fn beale(x: &[f64]) -> (f64, Vec<f64>) {
+        let [a, b] = [x[0], x[1]];
+        let rest = |start: f64, power: i32| start - a * (1.0 - libm::pow(b, f64::from(power)));
+        let parts = [(rest(1.5, 1), 1), (rest(2.25, 2), 2), (rest(2.625, 3), 3)];
+        let value = parts.iter().map(|(rest, _)| rest * rest).sum();
+        let along_a =
+            parts.iter().map(|(rest, n)| -2.0 * rest * (1.0 - libm::pow(b, f64::from(*n))));
+        let along_b = parts
+            .iter()
+            .map(|(rest, n)| 2.0 * rest * a * f64::from(*n) * libm::pow(b, f64::from(*n - 1)));
+        (value, vec![along_a.sum(), along_b.sum()])
+    }
+
+    #[test]
+    fn steep_starts_do_not_hide_how_a_function_falls_on() {
+        for start in [[1e3, 1e3], [1e3, 1.0], [1e6, 1e6], [1.0, 1.0]] {
+            let found = found(beale, &start);
+            assert_eq!(found.end, LeastEnd::Settled, "{start:?}: {found:?}");
+            let [a, b] = [found.unknowns[0], found.unknowns[1]];
+            assert!((a - 3.0).abs() < 1e-6 && (b - 0.5).abs() < 1e-6, "{start:?}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn sums_of_fourth_powers_are_followed_in_few_steps() {
+        let quartics = |x: &[f64]| {
+            let away: Vec<f64> = x.iter().enumerate().map(|(k, x)| x - k as f64).collect();
+            let value = away.iter().map(|away| libm::pow(*away, 4.0)).sum();
+            (value, away.iter().map(|away| 4.0 * libm::pow(*away, 3.0)).collect())
+        };
+        for n in [3, 12, 30] {
+            let found = found(quartics, &vec![50.0; n]);
+            assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
+            assert!(found.values[0] < 1e-24 && found.n_evaluations < 400, "{found:?}");
+        }
+    }
 }

@@ -227,6 +227,12 @@ where
         there < here - least.max(RESOLUTIONS * self.resolution(reach))
     }
 
+    /// Goes to a place beside an end, so far away.
+    pub(super) fn leave_for(&mut self, (place, values): (Vec<f64>, Vec<f64>), reach: f64) {
+        (self.place, self.values, self.left_by) = (place, values, reach);
+        self.beside.clear();
+    }
+
     /// Whether nothing holds the unknowns.
     pub(super) fn is_free(&self) -> bool {
         self.values.len() == 1
