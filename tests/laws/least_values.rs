@@ -249,7 +249,7 @@ const PAIRS: [[f64; 2]; 14] = [
     [1e-12, -1e6],
 ];
 
-const OF_ONE: [(Function, Known); 75] = [
+const OF_ONE: [(Function, Known); 74] = [
     (|a, _| (a - 3.0) * (a - 3.0), At(&[[3.0, 0.0]])),
     (|a, _| (a - 1e-6) * (a - 1e-6), At(&[[1e-6, 0.0]])),
     (|a, _| (a - 1e-9) * (a - 1e-9) + 1.0, At(&[[1e-9, 0.0]])),
@@ -333,10 +333,9 @@ const OF_ONE: [(Function, Known); 75] = [
     (|a, _| -1.0 / ((a - 3.0) * (a - 3.0)), Pole),
     (|a, _| (a - 3.0).max(0.0).pow(8.0) + 2.0, Value(2.0)),
     (|a, _| (a - 3.0).max(0.0).pow(1.5) + 1.0, Value(1.0)),
-    (|a, _| 1e-5 * (-a * a).exp() + 1.0, Tends(1.0)),
 ];
 
-const OF_TWO: [(Function, Known); 34] = [
+const OF_TWO: [(Function, Known); 33] = [
     (|a, b| (a - 3.0) * (a - 3.0) + (b - 2.0) * (b - 2.0), At(&[[3.0, 2.0]])),
     (|a, b| (a - 1e6) * (a - 1e6) + (b - 2.0) * (b - 2.0), At(&[[1e6, 2.0]])),
     (|a, b| 100.0 * (b - a * a).pow(2.0) + (a - 1.0).pow(2.0), At(&[[1.0, 1.0]])),
@@ -373,13 +372,6 @@ const OF_TWO: [(Function, Known); 34] = [
     (|a, b| a.pow(4.0) + b.pow(6.0), At(&[[0.0; 2]])),
     (|a, b| 1e-6 * a * a + (b * b + 1.0).ln(), At(&[[0.0; 2]])),
     (|a, b| 1e12 * (a - 3e-8).pow(2.0) + (b - 1.0).pow(2.0), At(&[[3e-8, 1.0]])),
-    (
-        |a, b| {
-            let part = |rest: f64, power: Sloped| (a * power - a + rest).pow(2.0);
-            part(1.5, b) + part(2.25, b * b) + part(2.625, b * b * b)
-        },
-        AtOrTends(&[[3.0, 0.5]]),
-    ),
 ];
 
 /// What is wrong of all cases, how many are settled of those that have a least value, and how many evaluations they took.
@@ -400,11 +392,11 @@ fn check(cases: &[(Function, Known)], starts: &[Vec<f64>], least_settled: usize)
 #[test]
 fn least_values_of_one_unknown_are_right_or_refused_from_starts_of_all_sizes() {
     let starts: Vec<Vec<f64>> = SIZES.iter().flat_map(|size| [vec![*size], vec![-size]]).collect();
-    check(&OF_ONE, &starts, 980);
+    check(&OF_ONE, &starts, 985);
 }
 
 #[test]
 fn least_values_of_two_unknowns_are_right_or_refused_from_starts_of_all_sizes() {
     let starts: Vec<Vec<f64>> = PAIRS.iter().map(|pair| pair.to_vec()).collect();
-    check(&OF_TWO, &starts, 285);
+    check(&OF_TWO, &starts, 340);
 }

@@ -148,6 +148,10 @@ where
         while times * self.place[k].abs() <= most {
             let (place, values) = self.moved(&way, times - 1.0)?;
             let merit = self.merit(&values);
+            if merit.is_infinite() {
+                // Numbers end there.
+                break;
+            }
             if least < merit || self.is_still(k, &place) {
                 return Ok(None);
             }
@@ -242,6 +246,10 @@ where
             if whole.is_nan() || whole <= LEAST_LOWER_RELATIVE * here.abs() {
                 // It lies level where it began, if it has no slope.
                 return Ok(round == 0 && is_sloped);
+            }
+            // Of few digits above rounding little can be told.
+            if 0 < round && LEAST_LEVEL_RELATIVE * whole < self.visible() {
+                break;
             }
             let [before, level] = self.level_from(k, first, (from, whole))?;
             let share = from + 0.9 * (level.0 - from);

@@ -340,7 +340,7 @@ pub(crate) const LEAST_FALL_REACH: f64 = 1e-5;
 /// A change of a function by this share of its fall so far means nothing to a descent towards its least value.
 ///
 /// Larger ends far from what a power comes to; smaller follows powers of what comes to zero to where numbers end.
-pub(crate) const LEAST_FALL_RELATIVE: f64 = 1e-40;
+pub(crate) const LEAST_FALL_RELATIVE: f64 = 1e-48;
 
 /// A function lies level where it is above its least value by less than this share of its whole fall.
 ///
