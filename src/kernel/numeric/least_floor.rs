@@ -15,7 +15,7 @@ use crate::{
     ceiling::EDGE_HALVINGS,
     tolerance::{
         LAST_BIT, LEAST_FAR, LEAST_LEVEL_RELATIVE, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
-        LEVEL_APPROACH,
+        LEVEL_APPROACH, LEVEL_SHARE,
     },
 };
 
@@ -40,10 +40,6 @@ const EDGE_WIDTH: f64 = 0.995;
 
 /// How often it is looked behind what seemed level whether it falls on there.
 const LEVEL_ROUNDS: usize = 3;
-
-/// The share of its whole fall by which a function still falls over the last tenth of that way, at least, if it comes down to a
-/// level straight.
-const LEVEL_SHARE: f64 = 0.05;
 
 /// Unknowns that are looked along one by one; of more, along all together.
 const MOST_NEARER: usize = 3;

@@ -352,3 +352,8 @@ pub(crate) const LEAST_LEVEL_RELATIVE: f64 = 1e-10;
 ///
 /// Larger refuses what is smooth where it becomes level; smaller takes what rounding reaches for what is attained.
 pub(crate) const LEVEL_APPROACH: f64 = 0.2;
+
+/// A function that falls by more than this share of its whole fall over that tenth comes down to a level, however it does.
+///
+/// Larger takes what tends to a value by few of its digits for what attains it; smaller refuses levels behind a step.
+pub(crate) const LEVEL_SHARE: f64 = 0.05;
