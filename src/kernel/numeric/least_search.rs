@@ -148,10 +148,7 @@ where
 
     /// Goes down until no step leads further.
     pub(super) fn descend(&mut self) -> Result<LeastEnd, E> {
-        let mut gradients = match self.first_gradients.take() {
-            Some(gradients) => gradients,
-            None => self.gradients()?,
-        };
+        let mut gradients = self.first_gradients.take().map_or_else(|| self.gradients(), Ok)?;
         self.first_merit = self.merit(&self.values);
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
