@@ -172,7 +172,7 @@ pub const DEPENDENT_RELATIVE: f64 = 1e-13;
 /// Larger shortens good steps; smaller takes steps that hardly lead down.
 pub const ARMIJO: f64 = 1e-4;
 
-/// A step of this fraction of the unknowns' sizes ends a search for a least value.
+/// A step of this fraction of the unknowns' sizes ends a search for a least value under conditions or within bounds.
 ///
 /// Larger loses digits; smaller goes on among values that rounding makes equal.
 pub const LEAST_STEP_RELATIVE: f64 = 1e-11;
@@ -193,14 +193,14 @@ pub(crate) const SQUARES_AT_ROOT: f64 = 1e-16;
 /// Larger misses narrow valleys beside it; smaller finds rounding.
 pub const LEAST_PROBE_RELATIVE: f64 = 1e-3;
 
-/// A place is better where its value is lower by this fraction of the function's steepness at the start.
+/// A function changes beside its least value where it does by this fraction of its value and of how it rises.
 ///
-/// Larger stays on saddles; smaller leaves a least value for rounding.
+/// Larger takes poles for least values; smaller looks for poles among roundings.
 pub const LEAST_GAIN_RELATIVE: f64 = 1e-9;
 
-/// A place is better where the function falls to it by this fraction of its value, and rises by as much on the other side.
+/// A way of which this fraction is left beside others is none of its own.
 ///
-/// Larger stays at inflections; smaller goes on where rounding falls and rises.
+/// Larger loses ways that conditions leave free; smaller takes roundings for ways.
 pub(crate) const LEAST_SLOPE_RELATIVE: f64 = 1e-11;
 
 /// Steps over which the value falls by less than this fraction of the function's steepness at the start, and by less
