@@ -8,15 +8,14 @@
 use super::{
     answers::{Answers, Wanted},
     least_model::{HoldingCondition, Terms},
+    least_newton::even_out,
     least_search::{LeastSearch, clamped},
     quadratic_program::dot,
     symmetric_eigen::symmetric_axes,
 };
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS},
-    tolerance::{
-        LEAST_BEND_RELATIVE, LEAST_GAIN_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE,
-    },
+    tolerance::{LEAST_BEND_RELATIVE, LEAST_FAR, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE},
 };
 
 /// How many times farther than beside it is looked where the curvature is none: what falls with a higher power of
@@ -32,6 +31,18 @@ pub(super) struct Bracket {
     values: Vec<f64>,
 }
 
+/// How a function bends.
+struct Bending {
+    /// Ways that are left free, so long that it bends by one along each.
+    ways: Vec<Vec<f64>>,
+    /// By how much longer than one they are.
+    stretch: Vec<f64>,
+    /// The axes of its curvature by those ways, each with how it bends along it.
+    axes: Vec<(f64, Vec<f64>)>,
+    /// The conditions that hold the place.
+    held: Vec<usize>,
+}
+
 impl<F, E> LeastSearch<'_, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
@@ -39,11 +50,22 @@ where
     /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
-        let best = self.look_beside()?;
-        if best.is_some_and(|best| self.leaves_for(best)) {
+        let bending = self.bending()?;
+        if let Some(Bending { axes, stretch, .. }) = &bending
+            && self.is_free()
+            && self.leaves_by_newton(axes, stretch)?
+        {
             return Ok(true);
         }
-        self.leaves_by_curvature()
+        if let Some(best) = self.look_beside()?
+            && self.leaves_for(best, LEAST_PROBE_RELATIVE)?
+        {
+            return Ok(true);
+        }
+        match bending {
+            Some(bending) => self.leaves_along(&bending),
+            None => Ok(false),
+        }
     }
 
     /// Looks at both sides along each unknown, and keeps what is there; those of which the better one is best.
@@ -61,21 +83,26 @@ where
         Ok(best)
     }
 
-    /// Goes to a place that is better than this one.
-    fn leaves_for(
-        &mut self,
-        Bracket { merits: [least, opposite], place, values, .. }: Bracket,
-    ) -> bool {
-        let merit = self.merit(&self.values);
-        // Down on one side by about as much as up on the other: a slope, however small.
-        let (fall, rise) = (merit - least, opposite - merit);
-        let is_slope =
-            LEAST_SLOPE_RELATIVE * merit.abs() < fall && rise < 2.0 * fall && fall < 2.0 * rise;
-        let is_better = is_slope || least < merit - LEAST_GAIN_RELATIVE * (1.0 + merit.abs());
-        if is_better {
-            (self.place, self.values) = (place, values);
+    /// Goes to a place that is lower than this one, and where nothing holds the unknowns on from it as long as that is twice
+    /// as far each time.
+    fn leaves_for(&mut self, lower: Bracket, reach: f64) -> Result<bool, E> {
+        if !self.is_lower(lower.merits[0], reach) {
+            return Ok(false);
         }
-        is_better
+        let parts = lower.place.iter().zip(&self.place).zip(&self.units);
+        let way: Vec<f64> = parts.map(|((there, here), unit)| (there - here) / unit).collect();
+        let mut best = (lower.place, lower.values);
+        let mut times = 1.0;
+        while self.is_free() && times * reach <= LEAST_FAR {
+            let farther = self.moved(&way, 2.0 * times)?;
+            if self.merit(&best.1) <= self.merit(&farther.1) {
+                break;
+            }
+            best = farther;
+            times *= 2.0;
+        }
+        self.leave_for(best, times * reach);
+        Ok(true)
     }
 
     /// The places on both sides along a way, led back to where the conditions hold and those that are held are zero.
@@ -113,30 +140,42 @@ where
         Ok(best)
     }
 
-    /// Whether a place is better along a way on which the function does not bend up; the search goes there.
-    fn leaves_by_curvature(&mut self) -> Result<bool, E> {
+    /// How the function bends along the ways that what holds the place leaves free; none where that is not known.
+    fn bending(&mut self) -> Result<Option<Bending>, E> {
         let terms = Terms {
             gradients: &self.slopes,
             values: &self.weighted(&self.values),
             limits: &self.limits(&self.place),
             n_equations: self.problem.n_equations,
         };
-        let Some(holding) = terms.holding() else { return Ok(false) };
-        if CURVATURE_UNKNOWNS < self.place.len() {
-            return Ok(false);
-        }
-        let ways = free_ways(&holding, self.place.len());
-        let Some(curvature) = self.curvature(&ways, &holding)? else { return Ok(false) };
+        let n = self.place.len();
+        let Some(holding) = terms.holding().filter(|_| n <= CURVATURE_UNKNOWNS) else {
+            return Ok(None);
+        };
+        let mut ways = match self.is_free() {
+            true => (0..n).map(|k| axis(n, k)).collect(),
+            false => free_ways(&holding, n),
+        };
+        let Some(mut curvature) = self.curvature(&ways, &holding)? else { return Ok(None) };
+        let stretch = even_out(&mut ways, &mut curvature);
         let axes = symmetric_axes(curvature);
+        let held = holding.iter().map(|condition| condition.idx).collect();
+        Ok(Some(Bending { ways, stretch, axes, held }))
+    }
+
+    /// Whether a place is lower along a way on which the function does not bend up; the search goes there.
+    fn leaves_along(&mut self, Bending { ways, axes, held, .. }: &Bending) -> Result<bool, E> {
         let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
-        let held: Vec<usize> = holding.iter().map(|condition| condition.idx).collect();
         for (_, axis) in axes.iter().filter(|(bend, _)| *bend <= LEAST_BEND_RELATIVE * most) {
             let part =
                 |k: usize| -> f64 { ways.iter().zip(axis).map(|(way, part)| part * way[k]).sum() };
             let way: Vec<f64> = (0..self.place.len()).map(part).collect();
+            let length = dot(&way, &way).sqrt();
+            let way: Vec<f64> = way.iter().map(|part| part / length).collect();
             for reach in REACHES {
-                let sides = self.sides(&way, reach * LEAST_PROBE_RELATIVE, &held)?;
-                if self.leaves_for(sides) {
+                let reach = reach * LEAST_PROBE_RELATIVE;
+                let sides = self.sides(&way, reach, held)?;
+                if self.leaves_for(sides, reach)? {
                     return Ok(true);
                 }
             }
@@ -207,23 +246,20 @@ where
         ways: &[Vec<f64>],
         shares: &[f64],
     ) -> Result<Vec<Vec<f64>>, E> {
-        let reach = LEAST_PROBE_RELATIVE;
-        let mut slopes_at = |steps: &[(f64, &Vec<f64>)]| {
-            let place = self.beside(base, steps);
-            let gradients = self.gradients_at(&place)?;
+        let reaches: Vec<f64> = ways.iter().map(|way| self.curvature_reach(way)).collect();
+        let slopes = |gradients: &[Vec<f64>]| -> Vec<f64> {
             let slope = |way: &Vec<f64>| {
-                gradients
-                    .iter()
-                    .zip(shares)
-                    .map(|(gradient, share)| share * dot(gradient, way))
-                    .sum()
+                gradients.iter().zip(shares).map(|(slopes, share)| share * dot(slopes, way)).sum()
             };
-            Ok::<Vec<f64>, E>(ways.iter().map(slope).collect())
+            ways.iter().map(slope).collect()
         };
-        let here = slopes_at(&[])?;
+        let here = match self.is_free() {
+            true => slopes(&self.slopes),
+            false => slopes(&self.gradients_at(base)?),
+        };
         let mut rows = Vec::with_capacity(ways.len());
-        for way in ways {
-            let there = slopes_at(&[(reach, way)])?;
+        for (way, &reach) in ways.iter().zip(&reaches) {
+            let there = slopes(&self.gradients_at(&self.beside(base, &[(reach, way)]))?);
             rows.push(
                 there.iter().zip(&here).map(|(there, here)| (there - here) / reach).collect(),
             );

@@ -15,7 +15,7 @@ use crate::{
     ceiling::EDGE_HALVINGS,
     tolerance::{
         LAST_BIT, LEAST_FAR, LEAST_LEVEL_RELATIVE, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
-        LEVEL_APPROACH,
+        LEVEL_APPROACH, LEVEL_SHARE,
     },
 };
 
@@ -30,34 +30,16 @@ const FARTHER: f64 = 100.0;
 const ROUNDINGS: f64 = 16.0;
 
 /// How many times the unknowns' sizes away it is asked still farther off.
-pub(super) const FAR_OUT: f64 = 10.0;
+const FAR_OUT: f64 = 10.0;
 
-/// The same where it began far away.
-pub(super) const AS_FAR: f64 = 0.5;
-
-/// How many times farther, first and then.
-const OUTWARD: [f64; 2] = [7.0, 63.0];
-
-/// By how many times its height a function falls over the size of an unknown, at most and at least, where it is not near
-/// its least value.
-const STEEP: f64 = 30.0;
-
-/// By how many times a function rises on one side of a kink as steeply as on the other, at most and at least.
-const KINK_SLOPES: f64 = 10.0;
+/// How many times farther each time.
+const OUTWARD: f64 = 8.0;
 
 /// The share of the way to where a function became level up to which it was not yet.
 const EDGE_WIDTH: f64 = 0.995;
 
-/// The share of the way to where a function is level at which it is higher by what is seen, unless it fades.
-const FADING: f64 = 0.9;
-
 /// How often it is looked behind what seemed level whether it falls on there.
 const LEVEL_ROUNDS: usize = 3;
-
-/// The share of what it fell over the last tenth of that way that it falls at its very end, at least, where it comes down
-/// to a level by a step of its own rounding; its whole fall is so many times as deep.
-const LEVEL_STEP: f64 = 0.25;
-const STEPS_OF_A_FALL: f64 = 20.0;
 
 /// Unknowns that are looked along one by one; of more, along all together.
 const MOST_NEARER: usize = 3;
@@ -68,8 +50,6 @@ pub(super) enum Floor {
     Told,
     /// A place that is lower.
     Lower(Vec<f64>),
-    /// What may be lower along a way that bends.
-    Followed,
     /// That it does not settle there.
     Other(LeastEnd),
 }
@@ -86,13 +66,8 @@ where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
     /// What is beside the place at which the search settled, where no condition tells of other sizes; `first` is where the
-    /// first of its rounds began. It may follow a way that bends, and may rest where all around is as low.
-    pub(super) fn floor(
-        &mut self,
-        first: &[f64],
-        (may_follow, may_rest): (bool, bool),
-        far_out: f64,
-    ) -> Result<Floor, E> {
+    /// first of its rounds began. It may rest where all around is as low.
+    pub(super) fn floor(&mut self, first: &[f64], may_rest: bool) -> Result<Floor, E> {
         if 1 < self.values.len() {
             return Ok(Floor::Told);
         }
@@ -111,23 +86,15 @@ where
         }
         let mut n_hidden = 0;
         for &k in &unbounded {
-            for (side, merit) in
-                [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE].into_iter().zip(self.beside[k])
-            {
-                if self.is_lower(merit) {
-                    return Ok(Floor::Lower(self.moved(&axis(n, k), side)?.0));
-                }
-            }
             let mut sides = [0, 1].map(|side| self.side(self.beside[k][side]));
             if let Some(lower) = self.lower_farther(k, &mut sides)? {
                 return Ok(Floor::Lower(lower));
             }
+            if let Some(lower) = self.lower_outward(k, first[k], &mut sides)? {
+                return Ok(Floor::Lower(lower));
+            }
             match sides {
-                [Side::Higher, Side::Higher] => {
-                    if let Some(floor) = self.outward(k, first[k], far_out)? {
-                        return Ok(floor);
-                    }
-                }
+                [Side::Higher, Side::Higher] => {}
                 [Side::Hidden, Side::Hidden] => n_hidden += 1,
                 _ if self.tends(k, first[k])? => {
                     return Ok(Floor::Other(LeastEnd::Unattained));
@@ -135,62 +102,63 @@ where
                 _ => {}
             }
         }
-        if 0 < n && n_hidden == n {
-            if may_rest && self.is_plateau(&unbounded, first)? {
-                return Ok(Floor::Told);
-            }
-            return Ok(Floor::Other(LeastEnd::Flat));
+        match 0 < n && n_hidden == n {
+            true => self.level(&unbounded, first, may_rest),
+            false => Ok(Floor::Told),
         }
-        let fall = self.first_merit - self.merit(&self.values);
-        let fell_by_half = 0.5 * self.first_merit.abs() < fall;
-        Ok(match (self.may_go_on(&unbounded), may_follow || fell_by_half) {
-            (true, true) => Floor::Followed,
-            (true, false) => Floor::Other(LeastEnd::Unsettled),
-            (false, _) => Floor::Told,
-        })
     }
 
-    /// What is farther out from zero along an unknown that is many times its size away, where the function is no higher
-    /// even there: it came to where its own rounding hides how it falls.
-    fn outward(&mut self, k: usize, first: f64, far_out: f64) -> Result<Option<Floor>, E> {
+    /// What a place is all around which rounding hides what the function does.
+    fn level(&mut self, along: &[usize], first: &[f64], may_rest: bool) -> Result<Floor, E> {
+        if !may_rest {
+            return Ok(Floor::Other(LeastEnd::Flat));
+        }
+        for &k in along {
+            if self.tends(k, first[k])? {
+                return Ok(Floor::Other(LeastEnd::Unattained));
+            }
+        }
+        let here = self.merit(&self.values);
+        let is_level = |&k: &usize| self.beside[k].iter().all(|merit| (merit - here).abs() <= 0.0);
+        let is_plateau = along.iter().all(is_level);
+        Ok(if is_plateau { Floor::Told } else { Floor::Other(LeastEnd::Flat) })
+    }
+
+    /// A lower place farther out from zero along an unknown that is many times its size away; where the function is no
+    /// higher there, that side of it is hidden: the search came to where rounding hides how it falls.
+    fn lower_outward(
+        &mut self,
+        k: usize,
+        first: f64,
+        sides: &mut [Side; 2],
+    ) -> Result<Option<Vec<f64>>, E> {
         let out = self.place[k] / self.units[k];
         let size = if first == 0.0 { self.units[k] } else { self.units[k].min(first.abs()) };
-        if self.place[k].abs() < far_out * size {
+        if sides.contains(&Side::Hidden) || self.place[k].abs() < FAR_OUT * size {
             return Ok(None);
         }
         let way: Vec<f64> = axis(self.place.len(), k).iter().map(|part| part * out).collect();
-        let here = self.merit(&self.values);
-        let (place, values) = self.moved(&way, OUTWARD[0])?;
-        let merit = self.merit(&values);
-        if here < merit || self.is_still(k, &place) {
-            return Ok(None);
+        let most = LEAST_FAR * self.place[k].abs().max(1.0).max(self.units[k]);
+        let (mut lower, mut least) = (None, self.merit(&self.values));
+        let mut times = OUTWARD;
+        while times * self.place[k].abs() <= most {
+            let (place, values) = self.moved(&way, times - 1.0)?;
+            let merit = self.merit(&values);
+            if merit.is_infinite() {
+                // Numbers end there.
+                break;
+            }
+            if least < merit || self.is_still(k, &place) {
+                return Ok(None);
+            }
+            if lower.is_none() && self.is_lower(merit, times) {
+                lower = Some(place);
+            }
+            least = merit;
+            times *= OUTWARD;
         }
-        let farther = self.moved(&way, OUTWARD[1])?.1;
-        if merit < self.merit(&farther) {
-            return Ok(None);
-        }
-        if self.is_lower(merit) {
-            return Ok(Some(Floor::Lower(place)));
-        }
-        Ok(self.tends(k, first)?.then_some(Floor::Other(LeastEnd::Unattained)))
-    }
-
-    /// Whether the function still falls as steeply as it is high, by the sizes that the place tells, along one of some
-    /// unknowns that no bound holds, and has no kink here.
-    fn may_go_on(&self, along: &[usize]) -> bool {
-        let here = self.merit(&self.values);
-        let Some(slopes) = self.slopes.first() else { return false };
-        along.iter().any(|&k| {
-            let slope = slopes[k];
-            let x = (self.place[k] / self.units[k]).abs();
-            let is_held = self.problem.bounds[k].contains(&self.place[k]);
-            let fall = slope.abs() * x;
-            let is_steep = here.abs() < STEEP * fall && fall < STEEP * here.abs();
-            let rise = self.beside[k][usize::from(slope < 0.0)] - here;
-            let straight = slope.abs() * LEAST_PROBE_RELATIVE;
-            let is_kink = straight < KINK_SLOPES * rise && rise < KINK_SLOPES * straight;
-            !is_held && LEAST_PROBE_RELATIVE <= x && is_steep && !is_kink
-        })
+        sides[usize::from(0.0 < out)] = Side::Hidden;
+        Ok(lower)
     }
 
     /// Whether an unknown is the same at another place.
@@ -206,11 +174,6 @@ where
     fn side(&self, merit: f64) -> Side {
         let rise = merit - self.merit(&self.values);
         if rise <= self.visible() { Side::Hidden } else { Side::Higher }
-    }
-
-    fn is_lower(&self, merit: f64) -> bool {
-        let here = self.merit(&self.values);
-        merit < here - LEAST_LOWER_RELATIVE * here.abs()
     }
 
     /// A lower place nearer beside this one than the unknowns' sizes tell to look, along some of them.
@@ -232,18 +195,11 @@ where
             let mut reach = LEAST_PROBE_RELATIVE;
             for _ in 0..N_NEARER {
                 reach /= NEARER;
-                let mut is_seen = false;
                 for side in [-reach, reach] {
                     let (place, values) = self.moved(&way, side)?;
-                    let merit = self.merit(&values);
-                    if self.is_lower(merit) {
+                    if self.is_lower(self.merit(&values), reach.abs()) {
                         return Ok(Some(place));
                     }
-                    is_seen |= self.side(merit) == Side::Higher;
-                }
-                // Beside zero everything is seen, and equal by chance.
-                if !is_seen && 0.0 < self.visible() {
-                    break;
                 }
             }
         }
@@ -263,7 +219,7 @@ where
                 }
                 let (place, values) = self.moved(&way, sign * reach)?;
                 let merit = self.merit(&values);
-                if self.is_lower(merit) {
+                if self.is_lower(merit, reach) {
                     return Ok(Some(place));
                 }
                 // A bound ends a way.
@@ -287,44 +243,20 @@ where
                 // It lies level where it began, if it has no slope.
                 return Ok(round == 0 && is_sloped);
             }
+            // Of few digits above rounding little can be told.
+            if 0 < round && LEAST_LEVEL_RELATIVE * whole < self.visible() {
+                break;
+            }
             let [before, level] = self.level_from(k, first, (from, whole))?;
-            let near = self.rise_before(k, first, from + 0.9 * (level.0 - from))?;
-            // Down to the level by a step of rounding.
-            let is_step = LEVEL_STEP * near < before.1 && STEPS_OF_A_FALL * before.1 < whole;
-            if near < LEVEL_APPROACH * whole || is_step {
+            let share = from + 0.9 * (level.0 - from);
+            let near = self.rise_before(k, first, share)?;
+            let powers = [near / before.1, whole / before.1].map(libm::log);
+            if near < LEVEL_SHARE * whole && powers[0] < LEVEL_APPROACH * powers[1] {
                 return Ok(true);
             }
             from = level.0;
         }
         Ok(false)
-    }
-
-    /// Whether the function is the same on both sides along each of some unknowns, and came down to that at a place.
-    fn is_plateau(&mut self, along: &[usize], first: &[f64]) -> Result<bool, E> {
-        let here = self.merit(&self.values);
-        let is_level = |&k: &usize| self.beside[k].iter().all(|merit| (merit - here).abs() <= 0.0);
-        if !along.iter().all(is_level) {
-            return Ok(false);
-        }
-        for &k in along {
-            if self.fades(k, first[k])? {
-                return Ok(false);
-            }
-        }
-        Ok(true)
-    }
-
-    /// Whether the function comes to the value here, from where an unknown began, by less and less until its own rounding
-    /// hides it: where it comes down to a level at a place, it is higher before that by more.
-    fn fades(&mut self, k: usize, first: f64) -> Result<bool, E> {
-        let whole = self.rise_before(k, first, 0.0)?;
-        let mut edge = [0.0, 1.0];
-        for _ in 0..EDGE_HALVINGS {
-            let share = 0.5 * (edge[0] + edge[1]);
-            edge[usize::from(self.rise_before(k, first, share)? <= 0.0)] = share;
-        }
-        let near = self.rise_before(k, first, FADING * edge[1])?;
-        Ok(0.0 < whole && near < self.visible().max(LEAST_LOWER_RELATIVE * whole))
     }
 
     /// By how much the function is higher than here at a share of the way to here along an unknown from where that began.
@@ -343,8 +275,7 @@ where
         first: f64,
         (from, whole): (f64, f64),
     ) -> Result<[(f64, f64); 2], E> {
-        let rounding = ROUNDINGS * LAST_BIT * self.merit(&self.values).abs();
-        let level = rounding.max(LEAST_LEVEL_RELATIVE * whole);
+        let level = self.visible().max(LEAST_LEVEL_RELATIVE * whole);
         let mut edge = [(from, whole), (1.0, 0.0)];
         for _ in 0..EDGE_HALVINGS {
             if EDGE_WIDTH * (edge[1].0 - from) < edge[0].0 - from {

@@ -5,6 +5,12 @@
 use super::quadratic_program::{LinearCondition, QuadraticLeast, dot, least_quadratic};
 use crate::tolerance::{CONDITION_RELATIVE, HOLDING_RELATIVE, RELAXATION_WEIGHT};
 
+/// The share of the model's curvature below which a function bends less, after how many such steps in a row the model
+/// bends less everywhere, and to which share of itself at most.
+const LESS: f64 = 0.7;
+const LESS_STEPS: usize = 3;
+const LEAST_SCALE: f64 = 0.1;
+
 /// What is known at a place: the function that is to be least, first, then the conditions.
 pub(super) struct Terms<'a> {
     pub(super) gradients: &'a [Vec<f64>],
@@ -94,13 +100,20 @@ impl Terms<'_> {
 pub(super) struct CurvatureModel {
     matrix: Vec<Vec<f64>>,
     is_fresh: bool,
+    /// Steps in a row along which the function bent by less than the model.
+    n_less: usize,
 }
 
 impl CurvatureModel {
     /// The same curvature along every way.
     pub(super) fn new(n: usize) -> Self {
         let row = |i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect();
-        Self { matrix: (0..n).map(row).collect(), is_fresh: true }
+        Self { matrix: (0..n).map(row).collect(), is_fresh: true, n_less: 0 }
+    }
+
+    /// A curvature that is known.
+    pub(super) fn known(matrix: Vec<Vec<f64>>) -> Self {
+        Self { matrix, is_fresh: false, n_less: 0 }
     }
 
     /// Whether it has learned nothing yet.
@@ -163,7 +176,9 @@ impl CurvatureModel {
             .map(|found| found.place)
     }
 
-    /// Learns from the gradients before and behind a way: BFGS, damped so that the model stays convex.
+    /// Learns from the gradients before and behind a way: BFGS, damped so that the model stays convex, and scaled where
+    /// the function bends less and less. Oren & Luenberger, *Self-scaling variable metric algorithms*, Management Science
+    /// 20 (1974).
     pub(super) fn learn(
         &mut self,
         way: &[f64],
@@ -184,10 +199,19 @@ impl CurvatureModel {
                 self.matrix.iter_mut().flatten().for_each(|part| *part *= scale);
             }
         }
-        let image: Vec<f64> = self.matrix.iter().map(|row| dot(row, way)).collect();
-        let (bend, known) = (dot(&change, way), dot(&image, way));
+        let mut image: Vec<f64> = self.matrix.iter().map(|row| dot(row, way)).collect();
+        let (bend, mut known) = (dot(&change, way), dot(&image, way));
         if known.is_nan() || known <= 0.0 {
             return;
+        }
+        // What bends less and less, as towards the root of a power, does so along other ways too.
+        let is_less = 0.0 < bend && bend < LESS * known;
+        self.n_less = if is_less { self.n_less + 1 } else { 0 };
+        if LESS_STEPS <= self.n_less {
+            let scale = (bend / known).max(LEAST_SCALE);
+            self.matrix.iter_mut().flatten().for_each(|part| *part *= scale);
+            image.iter_mut().for_each(|part| *part *= scale);
+            known *= scale;
         }
         let share = if bend < 0.2 * known { 0.8 * known / (known - bend) } else { 1.0 };
         let damped: Vec<f64> = change

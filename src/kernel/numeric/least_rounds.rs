@@ -4,14 +4,14 @@
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
     least_beyond::Beyond,
-    least_floor::{AS_FAR, FAR_OUT, Floor},
+    least_floor::Floor,
     least_problem::{LeastEnd, LeastProblem},
     least_search::LeastSearch,
     pole_search::END_OF_NUMBERS,
 };
 use crate::{
     ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
-    tolerance::{LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
+    tolerance::{LEAST_FALL_REACH, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
 };
 
 /// Rounds behind which places beside the end were better again and again, at most.
@@ -30,13 +30,9 @@ struct RoundsBefore {
     /// How many there were.
     n_rounds: usize,
     /// What the function is where the first began.
-    first_merit: f64,
-    /// Where the last that settled did so.
-    settled: Option<Ended>,
+    first: Option<f64>,
     /// Where the first came to be far away, which is told where those behind it tell nothing else.
     far: Option<Ended>,
-    /// Whether the last one is followed along a way that bends.
-    is_followed: bool,
     /// How often places beside an end were better again and again.
     n_left: usize,
 }
@@ -55,20 +51,14 @@ impl LeastProblem<'_> {
         while before.n_rounds < CONSTRAINED_ROUNDS {
             let problem = LeastProblem { start: &start, ..*self };
             let mut search = LeastSearch::new(problem, asked)?;
-            if before.n_rounds == 0 {
-                before.first_merit = search.first_merit;
-            }
+            before.first.get_or_insert(search.values[0]);
             let end = search.end()?;
             let floor = before.floor(&mut search, self.start, end)?;
             let place = match floor {
                 Floor::Told => return Ok(search.ended_by(LeastEnd::Settled)),
                 Floor::Other(end) => return Ok(before.told(search.ended_by(end))),
-                Floor::Followed => search.place.clone(),
                 Floor::Lower(place) => place,
             };
-            if end == LeastEnd::Settled {
-                before.settled = Some(search.ended_by(end));
-            }
             start = place;
         }
         let search = LeastSearch::new(LeastProblem { start: &start, ..*self }, asked)?;
@@ -89,7 +79,6 @@ impl RoundsBefore {
     {
         let is_first = self.n_rounds == 0;
         self.n_rounds += 1;
-        let may_follow = !std::mem::take(&mut self.is_followed);
         let has_conditions = 1 < search.values.len();
         Ok(match end {
             LeastEnd::Unbounded if search.merit(&search.values) < END_OF_NUMBERS => {
@@ -98,15 +87,9 @@ impl RoundsBefore {
             LeastEnd::Unbounded => self.beyond(search, is_first, end)?,
             LeastEnd::Unattained if !has_conditions => self.beyond(search, is_first, end)?,
             LeastEnd::Settled | LeastEnd::Flat if !(is_first && end == LeastEnd::Flat) => {
-                if self.far.is_some() && !search.has_values_around()? {
-                    return Ok(Floor::Other(LeastEnd::Unsettled));
-                }
-                let far_out = if self.far.is_some() { AS_FAR } else { FAR_OUT };
                 let may_rest =
-                    self.far.is_none() && search.merit(&search.values) < self.first_merit;
-                let floor = search.floor(first, (may_follow, may_rest), far_out)?;
-                self.is_followed = matches!(floor, Floor::Followed);
-                floor
+                    self.far.is_none() && self.first.is_some_and(|first| search.values[0] < first);
+                search.floor(first, may_rest)?
             }
             LeastEnd::Unsettled if search.is_left && self.n_left < ROUNDS_LEFT => {
                 self.n_left += 1;
@@ -147,21 +130,11 @@ impl RoundsBefore {
     /// settled, if it came to zero beside the whole fall and those behind it to nothing else.
     fn told(self, last: Ended) -> Ended {
         let tells_nothing = |far: &Ended| match last.end {
-            LeastEnd::Unsettled | LeastEnd::Contradictory | LeastEnd::Flat => true,
+            LeastEnd::Unsettled => far.end == LeastEnd::Unattained,
+            LeastEnd::Contradictory | LeastEnd::Flat => true,
             end => end == far.end,
         };
-        // Beside zero whatever is nearer to it is lower; a square is so small as near as that to its root.
-        let is_zero = |ended: &Ended| {
-            let value = ended.values[0];
-            value.abs() <= LEAST_LOWER_RELATIVE * LEAST_LOWER_RELATIVE * (self.first_merit - value)
-        };
-        let is_told =
-            |settled: &Ended| last.end == LeastEnd::Unsettled && is_zero(settled) && is_zero(&last);
-        match (self.far, self.settled) {
-            (Some(far), _) if tells_nothing(&far) => far,
-            (None, Some(settled)) if is_told(&settled) => settled,
-            _ => last,
-        }
+        self.far.filter(tells_nothing).unwrap_or(last)
     }
 }
 
@@ -171,6 +144,7 @@ where
 {
     /// How the search ends that goes on from better places beside its ends.
     fn end(&mut self) -> Result<LeastEnd, E> {
+        let began = self.values[0];
         let mut end = self.descend()?;
         let mut n_restarts = 0;
         loop {
@@ -183,14 +157,21 @@ where
                 break;
             }
             self.is_left = n_restarts == CONSTRAINED_RESTARTS;
-            end = if self.is_left { LeastEnd::Unsettled } else { self.descend()? };
+            if self.is_left {
+                // Whatever is nearer to a root is lower.
+                let nothing =
+                    LEAST_LOWER_RELATIVE * LEAST_LOWER_RELATIVE * (began - self.values[0]);
+                let is_zero = self.left_by <= LEAST_FALL_REACH && self.values[0].abs() <= nothing;
+                end = if is_zero { LeastEnd::Settled } else { LeastEnd::Unsettled };
+                break;
+            }
+            end = self.descend()?;
             n_restarts += 1;
         }
-        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled) && self.is_at_pole()? {
+        if matches!(end, LeastEnd::Settled | LeastEnd::Unsettled)
+            && (self.values[0] < END_OF_NUMBERS || self.is_at_pole()?)
+        {
             end = if self.falls_outward()? { LeastEnd::Unbounded } else { LeastEnd::Pole };
-        }
-        if end == LeastEnd::Settled && self.only_tends()? {
-            end = LeastEnd::Unattained;
         }
         Ok(end)
     }
@@ -199,7 +180,8 @@ where
     fn falls_outward(&mut self) -> Result<bool, E> {
         let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
         let values = self.moved(&out, LEAST_PROBE_RELATIVE)?.1;
-        Ok(self.merit(&values) < self.merit(&self.values))
+        let there = self.merit(&values);
+        Ok(there < self.merit(&self.values) || !there.is_finite())
     }
 
     fn ended_by(&self, end: LeastEnd) -> Ended {

@@ -12,10 +12,14 @@ use super::{
 use crate::{
     ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
-        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FAR,
-        LEAST_PROBE_RELATIVE, LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
+        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
+        LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
+        LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
 };
+
+/// Changes that mean nothing, together worth a way.
+const RESOLUTIONS: f64 = 100.0;
 
 /// A search under way. Unknowns are those of the problem, steps are in units of `units`.
 pub(super) struct LeastSearch<'a, F> {
@@ -33,10 +37,16 @@ pub(super) struct LeastSearch<'a, F> {
     /// The weighted gradients at the place where the steps ended.
     pub(super) slopes: Vec<Vec<f64>>,
     pub(super) trail: LeastTrail,
+    /// How far the last place was that was lower beside an end.
+    pub(super) left_by: f64,
     /// Whether places beside its end were better again and again.
     pub(super) is_left: bool,
-    /// The penalized value where the search began.
+    /// The penalized value where the last descent began.
     pub(super) first_merit: f64,
+    /// The weighted gradients where the first descent begins, until it does.
+    first_gradients: Option<Vec<Vec<f64>>>,
+    /// The curvature where the next steps begin, where that was measured.
+    pub(super) curvature: Option<CurvatureModel>,
     /// The penalized values beside the place at which the search settled, on both sides along each unknown.
     pub(super) beside: Vec<[f64; 2]>,
 }
@@ -65,15 +75,15 @@ where
             slopes: Vec::new(),
             trail: LeastTrail::default(),
             beside: Vec::new(),
+            first_gradients: None,
+            curvature: None,
+            left_by: 0.0,
             is_left: false,
             first_merit: 0.0,
         };
-        let mut gradients = search.gradients()?;
-        let narrow = search.units.clone();
-        let changes = search.widen_units(&gradients)?;
-        if search.units != narrow {
-            gradients = search.gradients()?;
-        }
+        let slopes = search.asked.gradients(&search.place, search.problem.bounds)?;
+        let changes = search.widen_units(&search.scaled(slopes.clone()))?;
+        let gradients = search.scaled(slopes.clone());
         for (idx, (gradient, change)) in gradients.iter().zip(changes).enumerate() {
             // A slope that is nothing beside that change tells nothing of the function's.
             let slope = magnitude(gradient);
@@ -83,7 +93,7 @@ where
                 search.weights[idx] = weight;
             }
         }
-        search.first_merit = search.merit(&search.values);
+        search.first_gradients = Some(search.scaled(slopes));
         Ok(search)
     }
 
@@ -94,13 +104,18 @@ where
 
     /// Those at any place.
     pub(super) fn gradients_at(&mut self, place: &[f64]) -> Result<Vec<Vec<f64>>, E> {
-        let mut gradients = self.asked.gradients(place, self.problem.bounds)?;
+        let gradients = self.asked.gradients(place, self.problem.bounds)?;
+        Ok(self.scaled(gradients))
+    }
+
+    /// Gradients with the weights of their functions, by the unknowns in their units.
+    fn scaled(&self, mut gradients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         for (gradient, weight) in gradients.iter_mut().zip(&self.weights) {
             for (slope, unit) in gradient.iter_mut().zip(&self.units) {
                 *slope *= unit * weight;
             }
         }
-        Ok(gradients)
+        gradients
     }
 
     pub(super) fn weighted(&self, values: &[f64]) -> Vec<f64> {
@@ -133,11 +148,13 @@ where
 
     /// Goes down until no step leads further.
     pub(super) fn descend(&mut self) -> Result<LeastEnd, E> {
-        let mut gradients = self.gradients()?;
+        let mut gradients = self.first_gradients.take().map_or_else(|| self.gradients(), Ok)?;
+        self.first_merit = self.merit(&self.values);
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
         }
-        let mut model = CurvatureModel::new(self.place.len());
+        let n = self.place.len();
+        let mut model = self.curvature.take().unwrap_or_else(|| CurvatureModel::new(n));
         let mut merit_before = f64::INFINITY;
         for n_steps in 0..CONSTRAINED_STEPS {
             // Among the roundings of differences it may go down for ever.
@@ -155,7 +172,7 @@ where
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
             let Some(step) = model.step(&terms) else { return self.ended(gradients) };
-            if magnitude(&step.way) <= LEAST_STEP_RELATIVE {
+            if magnitude(&step.way) <= LEAST_STEP_RELATIVE && !self.is_free() {
                 return self.ended(gradients);
             }
             self.weigh_conditions(&step);
@@ -166,8 +183,7 @@ where
                 .map(|(broken, penalty)| broken * penalty * step.kept)
                 .sum();
             let slope = terms.slope(&step.way) - broken;
-            let merit = self.merit(&self.values);
-            if -slope <= LAST_BIT * merit.abs() {
+            if -slope <= self.resolution(magnitude(&step.way)) {
                 return self.ended(gradients);
             }
             let Some((place, values)) = self.shortened(&terms, &model, &step.way, slope)? else {
@@ -193,6 +209,33 @@ where
         Ok(LeastEnd::Unsettled)
     }
 
+    /// A change of the penalized value over so far that means nothing: it is rounding, or next to nothing beside the fall so
+    /// far, which counts only over ways that are next to none as well: an exponential function falls by as much.
+    fn resolution(&self, reach: f64) -> f64 {
+        let merit = self.merit(&self.values);
+        let fall = if reach <= LEAST_FALL_REACH { self.first_merit - merit } else { 0.0 };
+        (LAST_BIT * merit.abs()).max(LEAST_FALL_RELATIVE * fall)
+    }
+
+    /// Whether a penalized value so far away is lower than that here, by what is worth going there.
+    pub(super) fn is_lower(&self, there: f64, reach: f64) -> bool {
+        let here = self.merit(&self.values);
+        let least = LEAST_LOWER_RELATIVE * here.abs();
+        there < here - least.max(RESOLUTIONS * self.resolution(reach))
+    }
+
+    /// Goes to a place beside an end, so far away.
+    pub(super) fn leave_for(&mut self, (place, values): (Vec<f64>, Vec<f64>), reach: f64) {
+        (self.place, self.values, self.left_by) = (place, values, reach);
+        self.beside.clear();
+    }
+
+    /// Whether nothing holds the unknowns.
+    pub(super) fn is_free(&self) -> bool {
+        self.values.len() == 1
+            && self.problem.bounds.iter().flatten().all(|bound| bound.is_infinite())
+    }
+
     /// How many times the unknowns' sizes the place is away from zero.
     pub(super) fn distance(&self) -> f64 {
         let sizes = self.place.iter().zip(&self.units).map(|(x, unit)| (x / unit).abs());
@@ -209,27 +252,6 @@ where
         })
     }
 
-    /// Whether the function fell by less and less on a long way to the place, and falls on to eight times the distance: it
-    /// ended where rounding hides by how much it falls.
-    pub(super) fn only_tends(&mut self) -> Result<bool, E> {
-        if !self.trail.is_long() || !self.trail.falls_ever_less() {
-            return Ok(false);
-        }
-        let out: Vec<f64> = self.place.iter().zip(&self.units).map(|(x, unit)| x / unit).collect();
-        let merit = self.merit(&self.values);
-        let mut least = merit;
-        for times in [1.0, 3.0, 7.0] {
-            let values = self.moved(&out, times)?.1;
-            let beyond = self.merit(&values);
-            // Whatever is no number is not lower either.
-            if beyond.is_nan() || least < beyond {
-                return Ok(false);
-            }
-            least = beyond;
-        }
-        Ok(least < merit)
-    }
-
     /// Lets each broken condition count by as much as it holds a step off, and for more and more where the conditions
     /// contradict one another.
     fn weigh_conditions(&mut self, step: &ModelStep) {
@@ -242,7 +264,7 @@ where
     }
 
     /// How far along a step the penalized value falls enough; none where it does nowhere.
-    fn shortened(
+    pub(super) fn shortened(
         &mut self,
         terms: &Terms<'_>,
         model: &CurvatureModel,
@@ -275,7 +297,7 @@ where
             let part =
                 if there.is_finite() && 0.0 < bend { -0.5 * slope * share / bend } else { 0.25 };
             share *= part.clamp(0.1, 0.5);
-            if -slope * share <= LAST_BIT * merit.abs() {
+            if -slope * share <= self.resolution(share * magnitude(way)) {
                 break;
             }
         }

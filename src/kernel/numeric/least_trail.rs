@@ -5,9 +5,6 @@ use crate::tolerance::FAR_SHRINKAGE;
 /// By how many times farther away the value is kept again.
 const FARTHER: f64 = 2.0;
 
-/// How many times the unknowns' sizes away a long way leads.
-const LONG: f64 = 1e3;
-
 /// Values on the way of a search, each with the logarithm of how many times the unknowns' sizes away it was.
 #[derive(Default)]
 pub(super) struct LeastTrail {
@@ -21,11 +18,6 @@ impl LeastTrail {
         if self.legs.last().is_none_or(|[last, _]| last + libm::log(FARTHER) <= far) {
             self.legs.push([far, value]);
         }
-    }
-
-    /// Whether it led a thousand times the unknowns' sizes away, or farther.
-    pub(super) fn is_long(&self) -> bool {
-        self.legs.last().is_some_and(|[far, _]| libm::log(LONG) <= *far)
     }
 
     /// Whether the function fell by less over the last third of the way than over the second, all measured by powers of

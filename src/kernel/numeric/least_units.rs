@@ -4,9 +4,9 @@ use super::{
     answers::{Answers, Wanted},
     least_model::magnitude,
     least_problem::LeastProblem,
-    least_search::{LeastSearch, clamped},
+    least_search::LeastSearch,
 };
-use crate::tolerance::{LAST_BIT, LEAST_PROBE_RELATIVE, LEAST_UNIT_SHARE};
+use crate::tolerance::{LAST_BIT, LEAST_UNIT_SHARE};
 
 /// By how many times an unknown's size grows as it is looked for.
 const WIDER: f64 = 16.0;
@@ -35,21 +35,6 @@ impl<F, E> LeastSearch<'_, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
-    /// Whether the functions have values beside the place on both sides in each unknown.
-    pub(super) fn has_values_around(&mut self) -> Result<bool, E> {
-        for (k, unit) in self.problem.units(&self.place).into_iter().enumerate() {
-            for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
-                let mut beside = self.place.clone();
-                beside[k] += side * unit;
-                let values = self.asked.values(&clamped(&beside, self.problem.bounds))?;
-                if !values.iter().all(|value| value.is_finite()) {
-                    return Ok(false);
-                }
-            }
-        }
-        Ok(true)
-    }
-
     /// Widens the sizes of unknowns that nothing bounds and that begin nearer to zero than others or one, where the
     /// functions hardly change over them: up to where one does, at most to the size of an unknown that begins at zero.
     /// By how much each function changes over those that were widened.

@@ -28,6 +28,7 @@ mod least_beside;
 mod least_beyond;
 mod least_floor;
 mod least_model;
+mod least_newton;
 pub(crate) mod least_pole;
 pub(crate) mod least_problem;
 mod least_rounds;

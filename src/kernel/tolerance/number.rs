@@ -172,7 +172,7 @@ pub const DEPENDENT_RELATIVE: f64 = 1e-13;
 /// Larger shortens good steps; smaller takes steps that hardly lead down.
 pub const ARMIJO: f64 = 1e-4;
 
-/// A step of this fraction of the unknowns' sizes ends a search for a least value.
+/// A step of this fraction of the unknowns' sizes ends a search for a least value under conditions or within bounds.
 ///
 /// Larger loses digits; smaller goes on among values that rounding makes equal.
 pub const LEAST_STEP_RELATIVE: f64 = 1e-11;
@@ -193,14 +193,14 @@ pub(crate) const SQUARES_AT_ROOT: f64 = 1e-16;
 /// Larger misses narrow valleys beside it; smaller finds rounding.
 pub const LEAST_PROBE_RELATIVE: f64 = 1e-3;
 
-/// A place is better where its value is lower by this fraction of the function's steepness at the start.
+/// A function changes beside its least value where it does by this fraction of its value and of how it rises.
 ///
-/// Larger stays on saddles; smaller leaves a least value for rounding.
+/// Larger takes poles for least values; smaller looks for poles among roundings.
 pub const LEAST_GAIN_RELATIVE: f64 = 1e-9;
 
-/// A place is better where the function falls to it by this fraction of its value, and rises by as much on the other side.
+/// A way of which this fraction is left beside others is none of its own.
 ///
-/// Larger stays at inflections; smaller goes on where rounding falls and rises.
+/// Larger loses ways that conditions leave free; smaller takes roundings for ways.
 pub(crate) const LEAST_SLOPE_RELATIVE: f64 = 1e-11;
 
 /// Steps over which the value falls by less than this fraction of the function's steepness at the start, and by less
@@ -316,13 +316,44 @@ pub(crate) const INTEGRAL_END_SHARE: f64 = 1e-3;
 /// Larger keeps what is no least value; smaller goes on where a function's own roundings are lower.
 pub(crate) const LEAST_LOWER_RELATIVE: f64 = 1e-11;
 
+/// A way along which a function bends by this share of the most bends by no less, for a step of Newton's method.
+///
+/// Larger takes steps in narrow valleys that are too short; smaller divides by roundings of the curvature.
+pub(crate) const LEAST_NEWTON_BEND: f64 = 1e-13;
+
+/// How far beside a place gradients tell the curvature for a step of Newton's method, as a fraction of the unknowns' sizes.
+///
+/// Larger looks over valleys that are narrow; smaller sees roundings of gradients.
+pub(crate) const LEAST_NEWTON_REACH: f64 = 1e-6;
+
+/// A place that is nearer to zero than this share of an unknown's size counts as so far from it where the curvature is
+/// looked at.
+///
+/// Larger looks at it too far beside; smaller between numbers that are no different.
+pub(crate) const LEAST_NEARNESS: f64 = 1e-12;
+
+/// Over ways that are longer than this fraction of the unknowns' sizes [`LEAST_FALL_RELATIVE`] does not count.
+///
+/// Larger ends where an exponential function fell by much and falls on; smaller follows powers for longer.
+pub(crate) const LEAST_FALL_REACH: f64 = 1e-5;
+
+/// A change of a function by this share of its fall so far means nothing to a descent towards its least value.
+///
+/// Larger ends far from what a power comes to; smaller follows powers of what comes to zero to where numbers end.
+pub(crate) const LEAST_FALL_RELATIVE: f64 = 1e-48;
+
 /// A function lies level where it is above its least value by less than this share of its whole fall.
 ///
 /// Larger ends before its level; smaller takes roundings of the function for a slope.
 pub(crate) const LEAST_LEVEL_RELATIVE: f64 = 1e-10;
 
-/// The share of its whole fall by which a function still falls over the last tenth of the way to where it lies level, if it
-/// comes down to that at a place; one that falls by less tends to it.
+/// The share of all powers of ten of its fall by which a function still falls over the last tenth of the way to where it lies
+/// level, if it comes down to that at a place; one that falls by less tends to it, as exponential functions do by a tenth.
 ///
 /// Larger refuses what is smooth where it becomes level; smaller takes what rounding reaches for what is attained.
-pub(crate) const LEVEL_APPROACH: f64 = 1e-6;
+pub(crate) const LEVEL_APPROACH: f64 = 0.2;
+
+/// A function that falls by more than this share of its whole fall over that tenth comes down to a level, however it does.
+///
+/// Larger takes what tends to a value by few of its digits for what attains it; smaller refuses levels behind a step.
+pub(crate) const LEVEL_SHARE: f64 = 0.05;
