@@ -3,13 +3,10 @@
 use glam::DVec2;
 
 use super::triangulation::BorderPolygon;
-use crate::{CountError, Direction, GeomError};
+use crate::{CountError, Direction, GeomError, tolerance::CELL_HAIR};
 
 /// How many cells a corner of the grid keeps away from the border at least.
 const CLEARANCE: f64 = 0.4;
-
-/// Parts of a cell within which a side may be in the next one.
-const HAIR: f64 = 1e-6;
 
 /// Parameters with the lines of a grid one unit apart.
 pub(super) struct EvenPlane<'a> {
@@ -106,8 +103,8 @@ impl EvenPlane<'_> {
 
 /// The cells of `n` that come within a hair of what is between two coordinates.
 pub(super) fn cells_along(low: f64, high: f64, n: usize) -> std::ops::Range<usize> {
-    let first = (low - HAIR).max(0.0).floor() as usize;
-    let end = (high + HAIR).max(-1.0).floor() + 1.0;
+    let first = (low - CELL_HAIR).max(0.0).floor() as usize;
+    let end = (high + CELL_HAIR).max(-1.0).floor() + 1.0;
     first..(end as usize).min(n)
 }
 

@@ -9,8 +9,9 @@ use glam::{DVec2, DVec3};
 
 use super::{AnalyticForm, AnalyticSurface};
 use crate::{
-    CircleForm, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance, frame::norm,
-    tolerance::CONTACT_SHARE,
+    CircleForm, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance,
+    frame::norm,
+    tolerance::{COAXIAL_SINE, CONTACT_SHARE},
 };
 
 /// Part of the tolerance by which axes that are one may miss one another.
@@ -21,9 +22,6 @@ const LEAST_DEPTH: f64 = 4.0;
 
 /// Part of the tolerance by which meridians that touch may miss one another.
 const TOUCH_SHARE: f64 = 0.1 * CONTACT_SHARE;
-
-/// Sine of the angle at which surfaces cross clearly.
-const CLEAR_SINE: f64 = 1e-2;
 
 /// Places of a circle that are looked at.
 const N_LOOKS: u32 = 24;
@@ -91,7 +89,7 @@ impl NurbsSurface {
                 let [u, v] = surface.closest(point).parameters;
                 surface.normal_at(u, v).ok()
             });
-            matches!(normals, [Some(a), Some(b)] if CLEAR_SINE < norm(a.cross(b)))
+            matches!(normals, [Some(a), Some(b)] if COAXIAL_SINE < norm(a.cross(b)))
         };
         if circles.is_empty() || !circles.iter().all(is_clear) {
             return None;
