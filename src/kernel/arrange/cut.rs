@@ -70,8 +70,10 @@ impl Arrangement {
             }
         }
         let (vertices, vertex_of) = vertices(&cuts, tolerance);
-        let mut arrangement = Self { vertices, edges: Vec::new(), repeated: None, arcs, tolerance };
+        let (edges, repeated, swallowed) = (Vec::new(), None, None);
+        let mut arrangement = Self { vertices, edges, repeated, swallowed, arcs, tolerance };
         arrangement.cut(&cuts, &vertex_of, &groups)?;
+        arrangement.swallowed = arrangement.first_swallowed(rings);
         arrangement.merge();
         Ok(arrangement)
     }
@@ -123,6 +125,18 @@ impl Arrangement {
             }
         }
         Ok(())
+    }
+
+    /// A place of the first ring of which cutting has left no edge.
+    fn first_swallowed(&self, rings: &[Ring]) -> Option<DVec3> {
+        let mut is_left = vec![false; self.arcs.len()];
+        self.edges.iter().for_each(|edge| is_left[edge.arc] = true);
+        let mut numbers = 0..self.arcs.len();
+        let swallowed = rings.iter().find(|ring| {
+            let own = numbers.by_ref().take(ring.arcs.len());
+            own.filter(|&arc| is_left[arc]).count() == 0
+        })?;
+        swallowed.arcs.first().map(NurbsCurve::start)
     }
 
     /// Makes one edge of those that lie along one another, and drops what runs back along itself.

@@ -52,6 +52,8 @@ pub(crate) struct Arrangement {
     pub(crate) edges: Vec<PlaneEdge>,
     /// The start of the first edge along which rings of one group run more than once, in either sense, and the group.
     repeated: Option<(usize, usize)>,
+    /// A place of the first ring that lies within reach of one vertex, so that none of it is left.
+    pub(crate) swallowed: Option<DVec3>,
     /// The given arcs, by their number.
     arcs: Vec<NurbsCurve>,
     /// How near places are one.

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::triangulation::BorderPolygon;
-use crate::{CountError, Direction, GeomError};
+use crate::{CountError, Direction, GeomError, tolerance::CELL_HAIR};
 
 /// How many cells a corner of the grid keeps away from the border at least.
 const CLEARANCE: f64 = 0.4;
@@ -99,6 +99,13 @@ impl EvenPlane<'_> {
         }
         Ok(inside)
     }
+}
+
+/// The cells of `n` that come within a hair of what is between two coordinates.
+pub(super) fn cells_along(low: f64, high: f64, n: usize) -> std::ops::Range<usize> {
+    let first = (low - CELL_HAIR).max(0.0).floor() as usize;
+    let end = (high + CELL_HAIR).max(-1.0).floor() + 1.0;
+    first..(end as usize).min(n)
 }
 
 /// How far a place is from a side.

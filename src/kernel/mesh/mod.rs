@@ -6,7 +6,7 @@
 //! makes of them `rules` for each piece, `compact_rules` where they are gone through many times, `form`s of what a cell may be, and `near` those along its
 //! normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division`
 //! divides that, and `stitch` makes the triangles; `trimmed` those of parts of a surface, whose borders are
-//! the `legs` of arcs and come together where they are `pinched`. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
+//! the `legs` of arcs and come together where they are `pinched`, and of which the `grid_core` is even cells. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles
 //! hang together, `orient` which of them face inward, over `numbered_places`, `measure` area, volume and their centres, `deviation` how far one is from a
 //! surface, `distance` how far a place is from one, `nearest` the same for many places, `fault` why a
 //! mesh encloses nothing, `crossing` where it goes through itself, `section` where a plane cuts it; `boolean` combines closed ones, whose parts
@@ -32,6 +32,7 @@ mod fault;
 mod flattened;
 mod form;
 mod grid;
+mod grid_core;
 mod homothetic;
 mod legs;
 mod manifold_body;

@@ -71,19 +71,21 @@ pub(super) fn triangles(rings: &[BorderPolygon]) -> Result<RegionTriangles, usiz
 /// The triangles of a region with vertices inside: given ones, and such as lie in the middle of triangles
 /// that are not fine, until all are or `most` vertices or `n_rounds` rounds are reached. The places of the
 /// vertices inside come behind those of the borders. Where borders come to a place more than once they touch.
+/// Pairs of vertices inside are sides of borders more, which close.
 ///
 /// # Errors
 /// The first vertex of a side that crosses or touches another one.
 pub(super) fn triangles_with(
     rings: &[BorderPolygon],
-    mut inside: Vec<DVec2>,
+    (mut inside, sides): (Vec<DVec2>, &[[usize; 2]]),
     is_fine: impl Fn([DVec2; 3]) -> bool,
     [n_rounds, most]: [usize; 2],
 ) -> Result<(Vec<[u32; 3]>, Vec<DVec2>), usize> {
     let mut all = ConstrainedNet::of(rings, Repeated::OneVertex)?;
     let border: Vec<DVec2> = rings.iter().flat_map(|ring| ring.places.iter().copied()).collect();
     let n_border = border.len();
-    let mut n_known = 0;
+    all.insert_with_sides(&inside, n_border, sides).map_err(|vertex| vertex % n_border.max(1))?;
+    let mut n_known = inside.len();
     for round in 0.. {
         for i in mixed(inside.len() - n_known) {
             let index = n_known + i;
@@ -174,6 +176,36 @@ impl ConstrainedNet {
             }
         }
         Ok(all)
+    }
+
+    /// Inserts vertices, numbered from the first on, and sides between them.
+    ///
+    /// # Errors
+    /// The first vertex of a side that crosses or touches another one.
+    fn insert_with_sides(
+        &mut self,
+        places: &[DVec2],
+        first: usize,
+        sides: &[[usize; 2]],
+    ) -> Result<(), usize> {
+        let mut handles = vec![None; places.len()];
+        for i in mixed(places.len()) {
+            if let InsertedVertex::New(vertex) = self.insert(places[i], first + i) {
+                handles[i] = Some(vertex);
+            }
+        }
+        for i in mixed(sides.len()) {
+            let [from, to] = sides[i];
+            let (Some(a), Some(b)) = (handles[from], handles[to]) else { return Err(first + from) };
+            if !self.net.can_add_constraint(a, b) {
+                return Err(first + from);
+            }
+            self.net.add_constraint(a, b);
+            if !self.net.exists_constraint(a, b) {
+                return Err(first + from);
+            }
+        }
+        Ok(())
     }
 
     /// The vertex at a place.

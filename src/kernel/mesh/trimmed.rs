@@ -15,6 +15,7 @@ use super::{
     arc_places::{BorderVertex, SharedLine, at, between},
     bend::DerivativeBounds,
     even_plane::EvenPlane,
+    grid_core::GridCore,
     pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
     tessellate::{ANGLE_MARGIN, LEAST_GAIN, MAX_GROWTH, check_rounding, widest_turn},
@@ -288,12 +289,20 @@ impl<'a> PartsTessellation<'a> {
             cells.allow([[low.x, high.x], [low.y, high.y]])
         };
         let limits = [MIDDLE_ROUNDS, most.saturating_sub(got)];
-        let (triangles, inside) =
-            triangles_with(&rings, inside, is_fine, limits).map_err(|vertex| {
+        let whole = |[i, j]: [usize; 2]| {
+            let [us, vs] = &cells.lines;
+            cells.allow([[us[i], us[i + 1]], [vs[j], vs[j + 1]]])
+        };
+        let mut core = GridCore::of(&inside, &rings, whole)?;
+        let given = (std::mem::take(&mut core.shared), &core.sides[..]);
+        let (mut triangles, mut inside) =
+            triangles_with(&rings, given, is_fine, limits).map_err(|vertex| {
                 let vertex = loops.iter().flatten().nth(vertex);
                 let point = vertex.map_or(DVec3::ZERO, |vertex| vertex.point);
                 RegionError::Unclear { point }
             })?;
+        triangles.extend(core.triangles(first, first + inside.len()));
+        inside.extend(core.deep);
         let inside = inside.iter().map(|&place| self.vertex_at(net.parameters(place)));
         let own: Vec<BorderVertex> = loops.iter().flatten().copied().chain(inside).collect();
         let got = mesh.n_vertices() + own.len();

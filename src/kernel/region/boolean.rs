@@ -128,6 +128,10 @@ fn combined(
     let distance = tolerance.distance_for(size);
     let arrangement =
         Arrangement::of(&rings, Apart::Groups, distance, n_threads).map_err(in_space(frame))?;
+    // What is one place within the tolerance would be left out in silence.
+    if let Some(point) = arrangement.swallowed {
+        return Err(RegionError::Unclear { point: frame.point(point) }.into());
+    }
     let loops = arrangement.loops(is_inside, n_threads).map_err(in_space(frame))?;
     sorted(loops, frame, distance)
 }

@@ -32,8 +32,9 @@ impl Region {
     /// what is beyond, inner ones gain it.
     ///
     /// # Errors
-    /// [`InputError::NotPositive`]; [`RegionError::NoCorner`] at a point; [`RegionError::NoRoom`] where a circle
-    /// of that radius touches not both sides, or the rounded corners overlap.
+    /// [`InputError::NotPositive`]; [`RegionError::NoCorner`] at a point; [`RegionError::Thin`] of a radius within the
+    /// tolerance; [`RegionError::NoRoom`] where a circle of that radius touches not both sides, or the rounded
+    /// corners overlap.
     pub fn filleted(
         &self,
         radius: f64,
@@ -160,6 +161,12 @@ impl Region {
             let angle = corner_turn(before, next, tolerance)?;
             if angle.abs() <= tolerance.angle || !is_chosen(arc) {
                 continue;
+            }
+            // Such an arc is one place, and neither beside nor on the sides that it touches.
+            if radius < tolerance.distance {
+                let point = self.frame.point(next.start());
+                let tolerance = tolerance.distance;
+                return Err(RegionError::Thin { point, width: radius, tolerance }.into());
             }
             let found = corner_circle([before, next], angle, radius, tolerance)?;
             *circle = Some(found.ok_or_else(|| no_room(next.start()))?);

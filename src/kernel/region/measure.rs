@@ -13,6 +13,9 @@ use crate::{
 /// Halvings of a piece whose integrals do not settle.
 const HALVINGS: usize = 30;
 
+/// Last bits of the size of a loop that integrals along it may be off.
+const ROUNDINGS: f64 = 16.0;
+
 /// Lines across a region on which places inside are looked for, by fractions of its height.
 const LOOKS_ACROSS: [f64; 3] = [0.27, 0.48, 0.74];
 
@@ -198,7 +201,7 @@ impl PlaneLoop {
 
     /// The moments of what is to its left about a point.
     fn moments(&self, about: DVec3) -> Moments {
-        let size = self.bounds().diagonal();
+        let size = IntegralSize::of(self.bounds());
         let mut sum = Moments::default();
         let mut end = self.arcs[self.arcs.len() - 1].end() - about;
         for arc in &self.arcs {
@@ -237,6 +240,23 @@ fn leg(from: DVec3, to: DVec3) -> Moments {
     std::array::from_fn(|i| (to.y - from.y) * (a[i] + 4.0 * b[i] + c[i]) / 6.0)
 }
 
+/// What of the integrals along a loop is rounding, for the moments in their order.
+#[derive(Clone, Copy)]
+struct IntegralSize {
+    rounding: Moments,
+}
+
+impl IntegralSize {
+    /// Of a loop within a box: last bits of its size, and those of its coordinates, by which places far from the
+    /// origin are moved.
+    fn of(bounds: Bounds) -> Self {
+        let size = bounds.diagonal();
+        let bits = LAST_BIT * (ROUNDINGS * size + bounds.magnitude());
+        let [line, area, volume] = [size, size * size, size * size * size].map(|part| part * bits);
+        Self { rounding: [line, area, area, volume, volume, volume] }
+    }
+}
+
 /// The integrals along a part of an arc by one rule.
 fn over(arc: &NurbsCurve, about: DVec3, interval: Interval) -> Moments {
     let mut sum = Moments::default();
@@ -252,7 +272,7 @@ fn over(arc: &NurbsCurve, about: DVec3, interval: Interval) -> Moments {
 fn settled(
     arc: &NurbsCurve,
     about: DVec3,
-    size: f64,
+    size: IntegralSize,
     interval: Interval,
     rough: Moments,
     n_halvings: usize,
@@ -261,12 +281,8 @@ fn settled(
     let parts = halves.map(|half| over(arc, about, half));
     let mut sum = Moments::default();
     parts.iter().for_each(|&part| add(&mut sum, part));
-    let (area, volume) = (size * size, size * size * size);
-    let sizes = [area, volume, volume, size * volume, size * volume, size * volume];
-    let is_settled = (0..6).all(|i| {
-        let scale = sizes[i] * (LAST_BIT * 16.0);
-        (sum[i] - rough[i]).abs() <= scale || !sum[i].is_finite()
-    });
+    let is_settled =
+        (0..6).all(|i| (sum[i] - rough[i]).abs() <= size.rounding[i] || !sum[i].is_finite());
     if is_settled || n_halvings == 0 {
         return sum;
     }

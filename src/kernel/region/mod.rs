@@ -17,12 +17,12 @@ mod strips;
 use glam::{DAffine3, DVec3};
 
 use crate::{
-    Bounds, Frame, GeomError, InputError, Mesh, NurbsCurve, PictureError, Tolerance,
+    Bounds, Frame, GeomError, InputError, Mesh, MeshError, NurbsCurve, PictureError, Tolerance,
     arrange::{joined, winding_about},
     curve::facing,
     frame::unit,
     planar_mesh, tessellate_curve,
-    tolerance::FAR_SHARE,
+    tolerance::{DETAIL_RELATIVE, FAR_SHARE, LAST_BIT},
 };
 
 pub(crate) use cells::{PlaneCell, cells};
@@ -257,6 +257,9 @@ impl Region {
 
 impl PlaneLoop {
     /// A closed curve in the plane of a frame; `index` is its number among `of`.
+    ///
+    /// # Errors
+    /// [`MeshError::BelowRounding`]; [`PictureError::Open`], [`PictureError::OffPlane`], [`PictureError::NoArea`].
     fn of(
         curve: &NurbsCurve,
         frame: Frame,
@@ -264,6 +267,12 @@ impl PlaneLoop {
         tolerance: Tolerance,
     ) -> Result<Self, GeomError> {
         curve.check_connected()?;
+        // Where its shape is rounding nothing can be told of it.
+        let (bounds, finest) = (curve.bounds(), tolerance.distance);
+        let rounding = LAST_BIT * bounds.magnitude();
+        if finest.max(DETAIL_RELATIVE * bounds.diagonal()) < rounding {
+            return Err(MeshError::BelowRounding { tolerance: finest, rounding }.into());
+        }
         let gap = curve.start().distance(curve.end());
         if tolerance.distance < gap {
             return Err(PictureError::Open { index, of, gap }.into());

@@ -15,8 +15,8 @@ use super::{
     corner::corner_turn,
 };
 use crate::{
-    Bounds, ClosestPoint, ConstructionError, Frame, GeomError, InputError, NurbsCurve, Side,
-    Tolerance,
+    Bounds, ClosestPoint, ConstructionError, Frame, GeomError, InputError, MeshError, NurbsCurve,
+    Side, Tolerance,
     arrange::{self, Apart, Arrangement, Ring, winding_about},
     frame::{norm, unit},
     tolerance::{LAST_BIT, OFFSET_RELATIVE, OFFSET_SHARE},
@@ -159,7 +159,8 @@ impl Region {
     /// where nothing is left. Lines and arcs stay such; other borders keep the tolerance.
     ///
     /// # Errors
-    /// [`InputError::NotFinite`]; those of [`NurbsCurve::offset`] and of [`Self::union`].
+    /// [`InputError::NotFinite`]; [`MeshError::BelowRounding`] where places as far out as the new border are rounded by
+    /// more than the tolerance; those of [`NurbsCurve::offset`] and of [`Self::union`].
     pub fn offset(
         &self,
         distance: f64,
@@ -175,7 +176,16 @@ impl Region {
         if distance.abs() <= (OFFSET_RELATIVE * size).max(ROUNDINGS * LAST_BIT * magnitude) {
             return Ok(vec![self.clone()]);
         }
-        let near = tolerance.distance_for(size).min(OFFSET_SHARE * distance.abs());
+        // No place of a region is as far from its border as that is from itself.
+        if size < -distance {
+            return Ok(Vec::new());
+        }
+        let rounding = LAST_BIT * (magnitude + distance.abs());
+        if tolerance.distance < rounding {
+            let tolerance = tolerance.distance;
+            return Err(MeshError::BelowRounding { tolerance, rounding }.into());
+        }
+        let near = tolerance.distance_for(size).min(OFFSET_SHARE * distance.abs()).max(rounding);
         let tolerance = tolerance.with_distance(near);
         let mut front = Front::default();
         for border in &self.loops {

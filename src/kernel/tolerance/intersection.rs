@@ -268,3 +268,9 @@ pub(crate) const WRITTEN_LOOK: f64 = 0.02;
 ///
 /// Larger could be half a turn of what goes around several times; smaller looks at rounding.
 pub(crate) const SENSE_LOOK: f64 = 1.0 / 64.0;
+
+/// The sine of the angle at which surfaces about one axis cross clearly, so that the circles of their meridians are all
+/// that they share.
+///
+/// Larger searches where the closed form would do; smaller takes the closed form where what touches is told as such.
+pub(crate) const COAXIAL_SINE: f64 = 1e-2;

@@ -22,7 +22,7 @@ pub(crate) const OFFSET_RELATIVE: f64 = 1e-10;
 /// tolerance.
 ///
 /// Larger takes what the offset tears open for one; smaller asks for arcs that are nearer than anybody needs.
-pub(crate) const OFFSET_SHARE: f64 = 0.0625;
+pub(crate) const OFFSET_SHARE: f64 = 0.00390625;
 
 /// Sizes from the origin beyond which what is asked of a shape is affected by the last bits of its coordinates.
 ///

@@ -100,3 +100,8 @@ pub(crate) const OVERLAID_SHARE: f64 = 0.01;
 ///
 /// Larger looks at edges that pass by; smaller lets edges through between two triangles.
 pub(crate) const WEIGHT_SLACK: f64 = 1e-9;
+
+/// Part of a cell within which the side of a border beside it may be in it.
+///
+/// Larger triangulates cells that are whole; smaller takes one for whole into which rounding puts a side.
+pub(crate) const CELL_HAIR: f64 = 1e-6;

@@ -52,6 +52,12 @@ pub enum FaceError {
     /// A cutter that does not reach the face.
     #[error("cutter [{index}] does not meet the face")]
     Misses { index: usize },
+    /// A cutter that is hardly more than a place within the tolerance.
+    #[error(
+        "cutter [{index}] is {} across at {}: with a tolerance of {} it is one place, which divides nothing",
+        few_digits(*size), place(*point), few_digits(*tolerance)
+    )]
+    TooSmall { index: usize, size: f64, tolerance: f64, point: DVec3 },
     /// A cutter that comes to the face in points alone.
     #[error(
         "cutter [{index}] only touches the face, at {}{}, so that it divides nothing",

@@ -209,11 +209,17 @@ pub(super) fn arm(point: DVec3, about: DVec3) -> DVec3 {
     DVec3::select(arm.abs().cmple(size), DVec3::ZERO, arm)
 }
 
-/// The flux through a piece of surface that is an arm away; none where that is rounding. And what it is made of.
+/// Last bits of what it is made of by which a flux is taken for rounding.
+pub(super) const FLUX_BITS: f64 = 16.0;
+
+/// The flux through a piece of surface that is an arm away; none where that is rounding. And what it is made of,
+/// where nothing is told of it so many times as its last bits are not known.
 pub(super) fn flux(arm: DVec3, normal: DVec3) -> Density<1> {
     let (flux, made_of) = (arm.dot(normal), arm.length() * normal.length());
-    let flux = if flux.abs() <= 16.0 * LAST_BIT * made_of { 0.0 } else { flux };
-    Density { values: [flux], parts: [made_of] }
+    match flux.abs() <= FLUX_BITS * LAST_BIT * made_of {
+        true => Density { values: [0.0], parts: [FLUX_BITS * made_of] },
+        false => Density { values: [flux], parts: [made_of] },
+    }
 }
 
 /// The parts of an arc between knots, its own and those of the surface.

@@ -11,7 +11,7 @@ use glam::DVec3;
 use super::{
     Face, FaceError,
     border_edge::{FaceBorderEdge, FacePair, N_PLACES, NeighbourSearch},
-    measure::{amid, arm, flux},
+    measure::{FLUX_BITS, amid, arm, flux},
 };
 use crate::{
     Bounds, GeomError, MassProperties, Tolerance,
@@ -21,9 +21,6 @@ use crate::{
     },
     tolerance::LAST_BIT,
 };
-
-/// Last bits of what it is made of that the flux through a plane face may be off.
-const FLUX_BITS: f64 = 16.0;
 
 /// Faces that hang together, and what they enclose: moments of the flux, itself the first.
 pub(crate) struct EnclosedShell<const N: usize = 1> {
@@ -96,9 +93,10 @@ impl Face {
     /// Those of a search that was ended.
     pub(crate) fn flux_from(&self, about: DVec3) -> Result<IntegralValues<1>, GeomError> {
         if let Some((point, normal)) = self.plane_area() {
-            let Density { values, parts: sizes } = flux(arm(point, about), normal);
+            let arm = arm(point, about);
+            let sizes = [arm.length() * normal.length()];
             let errors = [FLUX_BITS * LAST_BIT * sizes[0]];
-            return Ok(IntegralValues { values, errors, sizes });
+            return Ok(IntegralValues { values: flux(arm, normal).values, errors, sizes });
         }
         self.integral(ONE_MOMENT, |point, normal| flux(arm(point, about), normal))
     }

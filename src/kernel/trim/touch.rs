@@ -8,7 +8,10 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{Cutter, Face, FaceError, pull::MOST_BESIDE};
-use crate::{GeomError, LevelSet, NurbsCurve, NurbsSurface, Side, Surface, Tolerance, frame::unit};
+use crate::{
+    Bounds, GeomError, LevelSet, NurbsCurve, NurbsSurface, Side, Surface, Tolerance, frame::unit,
+    tolerance::VERTEX_REACH,
+};
 
 /// Where along a line it is looked at whether both sides of it are on one side of a cutter.
 const LOOKS: [f64; 3] = [0.23, 0.5, 0.77];
@@ -40,7 +43,8 @@ impl Touches {
 
 impl Face {
     /// What a cutter that divides nothing of it is told as: [`FaceError::TouchesAlong`] or [`FaceError::TouchesAt`]
-    /// where it touches it alone, [`FaceError::EndsInside`], [`FaceError::Covered`], or [`FaceError::Misses`].
+    /// where it touches it alone, [`FaceError::TooSmall`], [`FaceError::EndsInside`], [`FaceError::Covered`], or
+    /// [`FaceError::Misses`].
     ///
     /// # Errors
     /// Those of [`Surface::intersections`] and [`Self::clipped`].
@@ -52,6 +56,10 @@ impl Face {
     ) -> Result<FaceError, GeomError> {
         if ends.is_empty() && self.is_covered_by(cutter, tolerance) {
             return Ok(FaceError::Covered { index });
+        }
+        if let Some((size, point)) = self.small_cutter(cutter, tolerance) {
+            let tolerance = self.distance(tolerance);
+            return Ok(FaceError::TooSmall { index, size, tolerance, point });
         }
         let touches = self.touches(cutter, tolerance)?;
         let shown = |point: DVec3| self.told_place(point);
@@ -73,6 +81,23 @@ impl Face {
             }
             (None, None) => FaceError::Misses { index },
         })
+    }
+
+    /// How large a cutter is that lies within reach of one vertex, and a place of the face there.
+    fn small_cutter(&self, cutter: &Cutter, tolerance: Tolerance) -> Option<(f64, DVec3)> {
+        let bounds = match cutter {
+            Cutter::Curve(_) | Cutter::Plane(_) => return None,
+            Cutter::Surface(surface) => surface.bounds(),
+            Cutter::Face(face) => face.surface().bounds(),
+            Cutter::Faces(faces) => {
+                faces.iter().map(|face| face.surface().bounds()).reduce(Bounds::union)?
+            }
+        };
+        let size = bounds.diagonal();
+        let foot = self.plane.surface.closest(bounds.center());
+        let is_small = size <= 2.0 * VERTEX_REACH * self.distance(tolerance);
+        let is_there = foot.distance <= size && self.has(foot.parameters, tolerance);
+        (is_small && is_there).then_some((size, foot.point))
     }
 
     /// The line through a point along which a plane touches it; none where it does not touch it there along one.

@@ -221,7 +221,10 @@ impl<const N: usize> IntegralCells<N> {
         self.totals = CellTotals::of(&self.cells);
         let values = self.values();
         let since = before.filter(|_| !self.is_done()).unwrap_or(values);
-        let error = |i: usize| self.totals.changes[i].max((values[i] - since[i]).abs());
+        let error = |i: usize| {
+            let rounding = LAST_BIT * self.totals.parts[i];
+            self.totals.changes[i].max((values[i] - since[i]).abs()).max(rounding)
+        };
         [std::array::from_fn(error), self.largest(self.totals.absolute)]
     }
 }

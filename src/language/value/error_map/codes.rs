@@ -62,7 +62,9 @@ const fn of_face(error: &FaceError) -> Code {
         | FaceError::OneSided { .. } => Code::OpenShell,
         FaceError::RunsTogether { .. } => Code::RunTogether,
         FaceError::BeyondCentre { .. } => Code::BeyondCentre,
-        FaceError::Narrow { .. } | FaceError::NearEdges { .. } => Code::WithinTolerance,
+        FaceError::Narrow { .. } | FaceError::NearEdges { .. } | FaceError::TooSmall { .. } => {
+            Code::WithinTolerance
+        }
         FaceError::TouchesItself { .. } => Code::NotManifold,
         FaceError::PartsMissArea { .. } | FaceError::AcrossPlane { .. } => Code::Unproven,
         FaceError::Open { .. }

@@ -25,6 +25,9 @@ pub(super) fn of_face(error: &FaceError) -> String {
         FaceError::NoCommonEdge { .. } => {
             "an edge is shared where it runs within the tolerance of one of the other: `tolerance` allows more"
         }
+        FaceError::TooSmall { .. } => {
+            "leave it out, make it larger, or state a smaller `tolerance`"
+        }
         FaceError::Misses { .. } => "leave it out, or move it to where the face is",
         FaceError::TouchesAt { .. } | FaceError::TouchesAlong { .. } => {
             "leave it out, or move it until it goes through the face; curves from border to border divide it as well"

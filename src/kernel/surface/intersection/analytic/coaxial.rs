@@ -1,4 +1,4 @@
-//! Circles in which cylinders, cones, spheres and tori about one axis cross.
+//! Circles in which cylinders, cones, spheres and tori about one axis, and planes across it, cross.
 //!
 //! Where they cross at so small an angle that no search tells the circles apart, such as a ball and the hole of a
 //! thin ring, the lines and circles that turn about the axis still do. Every circle is looked at before it is told.
@@ -9,7 +9,9 @@ use glam::{DVec2, DVec3};
 
 use super::{AnalyticForm, AnalyticSurface};
 use crate::{
-    CircleForm, Frame, NurbsCurve, NurbsSurface, Tolerance, frame::norm, tolerance::CONTACT_SHARE,
+    CircleForm, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance,
+    frame::norm,
+    tolerance::{COAXIAL_SINE, CONTACT_SHARE},
 };
 
 /// Part of the tolerance by which axes that are one may miss one another.
@@ -47,7 +49,11 @@ impl NurbsSurface {
         distance: f64,
     ) -> Option<Vec<NurbsCurve>> {
         let (axis, [one, another]) = self.meridians(other, distance)?;
-        if ![self, other].iter().all(|surface| surface.turns_fully(axis, distance)) {
+        let sides = [self, other].map(|surface| surface.plane_quadrilateral(distance));
+        let turns = |surface: &Self, sides: &Option<_>| {
+            sides.is_some() || surface.turns_fully(axis, distance)
+        };
+        if !turns(self, &sides[0]) || !turns(other, &sides[1]) {
             return None;
         }
         let mut circles = Vec::new();
@@ -57,6 +63,10 @@ impl NurbsSurface {
             }
             let center = axis.point(DVec3::Z * place.y);
             let frame = axis.at(center);
+            let sides = sides.iter().flatten();
+            if !sides.into_iter().all(|sides| are_clear(sides, center, place.x, distance)) {
+                return None;
+            }
             let circle = (distance < place.x)
                 .then(|| NurbsCurve::ellipse(frame, [place.x; 2], CircleForm::NinePoint).ok())??;
             if self.has_all_of(&circle, distance)? && other.has_all_of(&circle, distance)? {
@@ -64,6 +74,42 @@ impl NurbsSurface {
             }
         }
         Some(circles)
+    }
+
+    /// The same where all of these cross by more than a search takes for a touch, and the surfaces meet nowhere else.
+    pub(in crate::surface) fn coaxial_crossings(
+        &self,
+        other: &Self,
+        distance: f64,
+    ) -> Option<Vec<NurbsCurve>> {
+        let circles = self.coaxial_circles(other, distance)?;
+        let is_clear = |circle: &NurbsCurve| {
+            let point = circle.start();
+            let normals = [self, other].map(|surface| {
+                let [u, v] = surface.closest(point).parameters;
+                surface.normal_at(u, v).ok()
+            });
+            matches!(normals, [Some(a), Some(b)] if COAXIAL_SINE < norm(a.cross(b)))
+        };
+        if circles.is_empty() || !circles.iter().all(is_clear) {
+            return None;
+        }
+        // Parametrized by about their length, as all that is found of surfaces.
+        let along = |circle: NurbsCurve| {
+            let domain = Interval::new(0.0, circle.length(circle.domain())).ok()?;
+            Some(circle.reparametrized(domain))
+        };
+        circles.into_iter().map(along).collect()
+    }
+
+    /// The ends of its sides where it is a plane of four corners, which is convex.
+    fn plane_quadrilateral(&self, distance: f64) -> Option<[[DVec3; 2]; 4]> {
+        let has_four = self.control_points.as_slice().len() == 4;
+        let is_plane = || {
+            let found = self.analytic(distance);
+            matches!(found.map(|found| found.form), Some(AnalyticForm::Plane))
+        };
+        (has_four && is_plane()).then(|| self.edges().map(|edge| [edge.start(), edge.end()]))
     }
 
     /// Whether it goes all around an axis: along one of its parameters, or as a sphere with both of its poles.
@@ -105,8 +151,20 @@ impl NurbsSurface {
     /// The axis about which both turn, and what does so.
     fn meridians(&self, other: &Self, distance: f64) -> Option<(Frame, [MeridianLine; 2])> {
         let forms = [self.analytic(distance)?, other.analytic(distance)?];
-        let is_ball = |found: &&AnalyticSurface| matches!(found.form, AnalyticForm::Sphere { .. });
-        let axis = forms.iter().find(|found| !is_ball(found)).unwrap_or(&forms[0]).frame;
+        let has_axis = |found: &&AnalyticSurface| {
+            !matches!(found.form, AnalyticForm::Sphere { .. } | AnalyticForm::Plane)
+        };
+        let has_center =
+            |found: &&AnalyticSurface| matches!(found.form, AnalyticForm::Sphere { .. });
+        let axis = match (forms.iter().find(has_axis), forms.iter().find(has_center)) {
+            (Some(found), _) => found.frame,
+            // A ball turns about all axes through its centre.
+            (None, Some(ball)) => {
+                let other = forms.iter().find(|found| !has_center(found));
+                other.map_or(ball.frame, |plane| plane.frame.at(ball.frame.origin()))
+            }
+            (None, None) => return None,
+        };
         let allowed = AXIS_SHARE * distance;
         let [one, another] = [0, 1].map(|i| MeridianLine::of(&forms[i], axis, allowed));
         Some((axis, [one?, another?]))
@@ -140,6 +198,17 @@ impl NurbsSurface {
     }
 }
 
+/// Whether a circle in the plane of a convex quadrilateral crosses none of its sides and passes none nearby.
+fn are_clear(sides: &[[DVec3; 2]; 4], center: DVec3, radius: f64, distance: f64) -> bool {
+    let is_outside = |&[start, end]: &[DVec3; 2]| {
+        let (way, arm) = (end - start, center - start);
+        let along = (arm.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+        radius + distance < norm(arm - way * along)
+    };
+    let is_within = |[start, _]: &[DVec3; 2]| norm(*start - center) < radius - distance;
+    sides.iter().all(is_outside) || sides.iter().all(is_within)
+}
+
 impl MeridianLine {
     /// That of a surface about an axis; none of one about another.
     fn of(found: &AnalyticSurface, axis: Frame, allowed: f64) -> Option<Self> {
@@ -150,7 +219,8 @@ impl MeridianLine {
         let is_along =
             norm(found.frame.z() - axis.z() * sense.signum()) <= Tolerance::DEFAULT.angle;
         let is_round = matches!(found.form, AnalyticForm::Sphere { .. });
-        if !is_on_axis || !(is_along || is_round) {
+        let is_plane = matches!(found.form, AnalyticForm::Plane);
+        if !(is_on_axis || is_plane) || !(is_along || is_round) {
             return None;
         }
         Some(match found.form {

@@ -4,7 +4,9 @@ use super::{
     CommonScale, LevelSet, ScalarField, ZeroSetParts, square,
     verify::{self, CurveOrigin},
 };
-use crate::{Frame, GeomError, Grid, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT};
+use crate::{
+    Frame, GeomError, Grid, NurbsCurve, NurbsSurface, Surface, Tolerance, tolerance::LAST_BIT,
+};
 
 /// Rounding of a height, in last bits of what it is computed of.
 const ROUNDING: f64 = 16.0 * LAST_BIT;
@@ -50,9 +52,17 @@ impl NurbsSurface {
             return self.told_here(near.section(plane, tolerance));
         }
         let distance = self.line_tolerance(tolerance)?;
+        if let Some(curves) = self.circles_across(plane, distance) {
+            return Ok(LevelSet { curves, ..LevelSet::default() });
+        }
         let mut found = self.lines_in(plane, distance, tolerance)?;
         found.curves = self.exact_in_plane(found.curves, plane, distance);
         Ok(found)
+    }
+
+    /// The circles that it has in a plane across the axis about which it turns, where it crosses that in nothing else.
+    fn circles_across(&self, plane: Frame, distance: f64) -> Option<Vec<NurbsCurve>> {
+        self.plane_about(plane).ok()?.coaxial_crossings(self, distance)
     }
 
     fn lines_in(

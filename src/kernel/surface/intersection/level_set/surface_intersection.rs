@@ -93,6 +93,9 @@ fn splines_cross(
     if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
         return Ok(LevelSet::default());
     }
+    if let Some(curves) = a.coaxial_crossings(&b, tolerance) {
+        return Ok(LevelSet { curves, ..LevelSet::default() });
+    }
     let surfaces = [a, b];
     match searched(&surfaces, tolerance, size) {
         Err(GeomError::Picture(refused)) => {

@@ -6,8 +6,11 @@ use super::plane_conic::PlaneConic;
 use crate::{
     AnalyticForm, Frame, NurbsSurface,
     frame::{norm, unit},
-    tolerance::ANALYTIC_RELATIVE,
+    tolerance::{ANALYTIC_RELATIVE, LAST_BIT},
 };
+
+/// Last bits of coordinates within which a plane and a torus that touch may miss one another.
+const TOUCH_ROUNDINGS: f64 = 64.0;
 
 /// A surface with an equation.
 #[derive(Clone, Copy, Debug)]
@@ -112,7 +115,10 @@ fn circles_of_torus(torus: Frame, [major, minor]: [f64; 2], plane: Frame) -> Vec
     let height = (torus.origin() - plane.origin()).dot(normal);
     let center = torus.origin() - normal * height;
     let mut found = Vec::new();
-    let reach = libm::sqrt(minor * minor - height * height);
+    // A plane that touches the tube up to rounding touches it: the root of what is left would be far more.
+    let size = plane.origin().abs().max(torus.origin().abs()).max_element().max(major);
+    let is_touching = (minor - height.abs()).abs() <= TOUCH_ROUNDINGS * LAST_BIT * size;
+    let reach = if is_touching { 0.0 } else { libm::sqrt(minor * minor - height * height) };
     if reach.is_finite() {
         let radii = [major + reach, major - reach];
         found.extend(radii.map(|radius| PlaneConic::circle(plane.at(center), radius)));
