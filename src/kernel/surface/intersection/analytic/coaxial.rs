@@ -154,16 +154,12 @@ impl NurbsSurface {
         let has_axis = |found: &&AnalyticSurface| {
             !matches!(found.form, AnalyticForm::Sphere { .. } | AnalyticForm::Plane)
         };
-        let has_center =
-            |found: &&AnalyticSurface| matches!(found.form, AnalyticForm::Sphere { .. });
-        let axis = match (forms.iter().find(has_axis), forms.iter().find(has_center)) {
-            (Some(found), _) => found.frame,
-            // A ball turns about all axes through its centre.
-            (None, Some(ball)) => {
-                let other = forms.iter().find(|found| !has_center(found));
-                other.map_or(ball.frame, |plane| plane.frame.at(ball.frame.origin()))
-            }
-            (None, None) => return None,
+        let is_ball = |found: &AnalyticSurface| matches!(found.form, AnalyticForm::Sphere { .. });
+        let axis = match forms.iter().find(has_axis) {
+            Some(found) => found.frame,
+            None if forms.iter().all(is_ball) => forms[0].frame,
+            // A ball turns about each axis through its centre: that of a plane says nothing of where a circle begins.
+            None => return None,
         };
         let allowed = AXIS_SHARE * distance;
         let [one, another] = [0, 1].map(|i| MeridianLine::of(&forms[i], axis, allowed));
