@@ -73,9 +73,17 @@ pub fn approximate_within(
     let kinks = kinks(points, parameters, tolerance);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
     let are_listed = are_fixed;
-    let most = points.len();
-    let search =
-        |points| FitSearch { points, degree, tolerance, are_fixed, are_listed, most, left };
+    let (most, is_sample) = (points.len(), false);
+    let search = |points| FitSearch {
+        points,
+        degree,
+        tolerance,
+        are_fixed,
+        are_listed,
+        is_sample,
+        most,
+        left,
+    };
     if kinks.is_empty() {
         let found = search(points).run(parameters)?;
         return Ok(reporting(found.curve, points, &found.parameters, &[]));
