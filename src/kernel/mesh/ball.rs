@@ -11,8 +11,9 @@ use glam::DVec3;
 use super::{cell_bounds::TessellationOptions, surface_patch::SurfacePatch};
 use crate::{AnalyticForm, Direction};
 
-/// Places along each span of the parameters at which angles are told.
+/// Places at which angles are told: along each span of the parameters at most, and of many spans together.
 const ANGLES_A_SPAN: usize = 256;
+const ANGLES: usize = 1024;
 
 /// The height of a triangle is at least this part of its longest side.
 const LEAST_HEIGHT: f64 = 0.06;
@@ -90,8 +91,9 @@ impl Ball {
                 p => latitude(p),
             };
             let knots = sheet.spline.knots(along);
+            let n_steps = (ANGLES / knots.spans().count().max(1)).clamp(1, ANGLES_A_SPAN);
             let spans = knots.spans().map(|span| knots.span_interval(span));
-            AngleTable::new(spans.flat_map(|span| span.steps(ANGLES_A_SPAN)), angle)
+            AngleTable::new(spans.flat_map(|span| span.steps(n_steps)), angle)
         };
         let [start, end] = ends_along(around.other()).map(latitude);
         Some(Self {
