@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::{
     Ends, Interpolator,
+    feet::FootStep,
     interpolate::check_degree,
     kinks::kinks,
     least::Approximator,
@@ -81,6 +82,7 @@ pub fn approximate_within(
         are_fixed,
         are_listed,
         is_sample,
+        foot_step: FootStep::UpToNeighbours,
         most,
         left,
     };

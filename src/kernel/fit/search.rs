@@ -2,6 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
+use super::thinning::FEW;
 use super::{
     Ends, Interpolator,
     detour::goes_straight,
@@ -47,9 +48,10 @@ pub(super) struct FitSearch<'a> {
     pub(super) are_fixed: bool,
     /// Whether the parameters are asked for: then detours between points are as well.
     pub(super) are_listed: bool,
-    /// Whether the points are a sample of many more: then the last control points are not worth the time, and
-    /// parameters pass where their neighbours were.
+    /// Whether the points are a sample of many more: then the last control points are not worth the time.
     pub(super) is_sample: bool,
+    /// How far parameters move at once.
+    pub(super) foot_step: FootStep,
     /// More control points than this are of no use.
     pub(super) most: usize,
     /// Points that may still be looked at to save control points.
@@ -104,7 +106,11 @@ impl FitSearch<'_> {
         let all = self.most.min(self.points.len());
         let still = FitSearch { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
         let most = still.as_ref().map_or(all, FittedCurve::n_control);
-        let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
+        let slid = match (self.are_fixed, self.is_sample) {
+            (true, _) => None,
+            (false, false) => self.grown(coarsest, parameters, most),
+            (false, true) => self.grown_either_way(&coarsest, parameters, most),
+        };
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
@@ -233,6 +239,31 @@ impl FitSearch<'_> {
             };
         }
         None
+    }
+
+    /// [`Self::grown`] by whichever steps of the parameters take fewer control points; the search goes on by these.
+    fn grown_either_way(
+        &mut self,
+        coarsest: &KnotVector,
+        parameters: &[f64],
+        most: usize,
+    ) -> Option<FittedCurve> {
+        let mut best: Option<(FittedCurve, FootStep)> = None;
+        for step in [FootStep::PastNeighbours, FootStep::UpToNeighbours] {
+            self.foot_step = step;
+            let most = best.as_ref().map_or(most, |(best, _)| best.n_control() - 1);
+            if let Some(found) = self.grown(coarsest.clone(), parameters, most) {
+                best = Some((found, step));
+            }
+        }
+        let (found, step) = best?;
+        // Where knots do not go one by one, short steps find what long ones pass over.
+        if FEW < found.n_control() {
+            self.foot_step = FootStep::UpToNeighbours;
+            return self.grown(coarsest.clone(), parameters, most);
+        }
+        self.foot_step = step;
+        Some(found)
     }
 
     /// The curve through all points, which no tolerance above rounding can refuse. Where it makes detours at

@@ -4,10 +4,7 @@ use super::search::{FitSearch, FittedCurve};
 use crate::{KnotVector, NurbsCurve, ceiling::KNOTS_TRIED, removal::removal, sorting::sort_by};
 
 /// Control points up to which knots go one by one; of more that is seldom worth the time.
-const FEW: usize = 64;
-
-/// So many knots that cost least are tried where the last control points are not worth the time.
-const FEW_TRIED: usize = 4;
+pub(super) const FEW: usize = 64;
 
 impl FitSearch<'_> {
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
@@ -61,7 +58,6 @@ impl FitSearch<'_> {
 
     /// Takes knots away one by one, of those that cost least the first that can go; whether it ended because none can.
     pub(super) fn thinned(&mut self, first: FittedCurve) -> (FittedCurve, bool) {
-        let n_tried = if self.is_sample { FEW_TRIED } else { KNOTS_TRIED };
         let mut best = first;
         while best.n_control() <= FEW && 0 < self.left {
             let costs = self.costs(&best.curve);
@@ -70,7 +66,7 @@ impl FitSearch<'_> {
                 let trial = self.trial(&knots.without(knots.as_slice()[i]), &start)?;
                 self.keeps(&trial).then_some(trial)
             };
-            match costs.iter().take(n_tried).find_map(without) {
+            match costs.iter().take(KNOTS_TRIED).find_map(without) {
                 Some(trial) => best = trial,
                 None => return (best, true),
             }
