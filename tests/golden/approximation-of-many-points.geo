@@ -5,10 +5,3 @@ curve spline = approximate(wave, tolerance = 1e-3)
 // cos(2t): 254 of 100, which have 257 control points. Of the data only lengths are known.
 check len(spline.points) <= 257
 check report(spline).deviation.max <= 1e-3
-
-// Its lengths grow by x up to three times as fast in one place as in another. With x as its parameter a spline takes
-// spans of (384/81 · 1e-3)^(1/4) = 0.262 for sin(3t): 39 of 10, which have 42 control points.
-let quick = [for i in 0..<10_000: (i / 1000, sin(3 * i / 1000), cos(i / 1000))]
-curve few = approximate(quick, tolerance = 1e-3)
-check len(few.points) <= 42
-check report(few).deviation.max <= 1e-3

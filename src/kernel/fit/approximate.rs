@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::{
     Ends, Interpolator,
-    feet::FootStep,
     interpolate::check_degree,
     kinks::kinks,
     least::Approximator,
@@ -74,18 +73,9 @@ pub fn approximate_within(
     let kinks = kinks(points, parameters, tolerance);
     let left = crate::ceiling::FIT_STEPS / if kinks.is_empty() { 1 } else { 2 };
     let are_listed = are_fixed;
-    let (most, is_sample) = (points.len(), false);
-    let search = |points| FitSearch {
-        points,
-        degree,
-        tolerance,
-        are_fixed,
-        are_listed,
-        is_sample,
-        foot_step: FootStep::UpToNeighbours,
-        most,
-        left,
-    };
+    let most = points.len();
+    let search =
+        |points| FitSearch { points, degree, tolerance, are_fixed, are_listed, most, left };
     if kinks.is_empty() {
         let found = search(points).run(parameters)?;
         return Ok(reporting(found.curve, points, &found.parameters, &[]));

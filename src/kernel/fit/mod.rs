@@ -5,13 +5,11 @@
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
 //! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point,
 //! `varied_spline` the curves that vary so, `moving_surface` of surfaces, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `slide` with the parameters too, which `feet` moves along the curve and `detour` keeps from crowding, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
+//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
 mod approximate;
-mod detour;
 mod equation;
-mod feet;
 mod growth;
 mod interpolate;
 mod kinks;

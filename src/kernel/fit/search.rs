@@ -2,15 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use super::thinning::FEW;
-use super::{
-    Ends, Interpolator,
-    detour::goes_straight,
-    feet::{FootStep, stepped},
-    least::Approximator,
-    slide::slid,
-    spread,
-};
+use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve, Parametrization,
     ceiling::FIT_CORRECTIONS,
@@ -33,6 +25,13 @@ const GAIN: f64 = 0.98;
 /// A curve that is slower at a point than this share of its mean speed is about to turn back.
 const LEAST_SPEED: f64 = 0.2;
 
+/// The way between two points may be so many times as long as straight from one tolerance around the
+/// first to that around the second: that of half a circle is, and a little more.
+const MOST_DETOUR: f64 = 1.7;
+
+/// Parts of the way between two points.
+const DETOUR_PARTS: usize = 4;
+
 /// Halving stops at this share of the number of control points.
 const SHARE: usize = 64;
 
@@ -48,10 +47,6 @@ pub(super) struct FitSearch<'a> {
     pub(super) are_fixed: bool,
     /// Whether the parameters are asked for: then detours between points are as well.
     pub(super) are_listed: bool,
-    /// Whether the points are a sample of many more: then the last control points are not worth the time.
-    pub(super) is_sample: bool,
-    /// How far parameters move at once.
-    pub(super) foot_step: FootStep,
     /// More control points than this are of no use.
     pub(super) most: usize,
     /// Points that may still be looked at to save control points.
@@ -106,11 +101,7 @@ impl FitSearch<'_> {
         let all = self.most.min(self.points.len());
         let still = FitSearch { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
         let most = still.as_ref().map_or(all, FittedCurve::n_control);
-        let slid = match (self.are_fixed, self.is_sample) {
-            (true, _) => None,
-            (false, false) => self.grown(coarsest, parameters, most),
-            (false, true) => self.grown_either_way(&coarsest, parameters, most),
-        };
+        let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
@@ -125,9 +116,6 @@ impl FitSearch<'_> {
                 break;
             }
             (best, is_at_rest) = self.thinned(best);
-            if is_at_rest && self.is_sample {
-                break;
-            }
             // With fewer knots, and parameters that slid, they may be needed elsewhere.
             if n <= best.n_control() {
                 break;
@@ -140,9 +128,19 @@ impl FitSearch<'_> {
         trial.worst <= self.tolerance && (self.are_listed || self.goes_straight(trial))
     }
 
-    /// Whether the curve makes no detour between two points.
+    /// Whether the curve makes no detour between two points: where parameters slide apart, no point
+    /// holds it.
     fn goes_straight(&self, trial: &FittedCurve) -> bool {
-        goes_straight(&trial.curve, self.points, &trial.parameters, self.tolerance)
+        let curve = trial.curve.evaluator();
+        trial.parameters.windows(2).zip(self.points.windows(2)).all(|(ends, points)| {
+            let place = |k: usize| {
+                let fraction = k as f64 / DETOUR_PARTS as f64;
+                curve.point_at((1.0 - fraction) * ends[0] + fraction * ends[1])
+            };
+            let legs = (0..DETOUR_PARTS).map(|k| place(k).distance(place(k + 1)));
+            let straight = points[0].distance(points[1]) + 2.0 * self.tolerance;
+            legs.sum::<f64>() <= MOST_DETOUR * straight
+        })
     }
 
     /// The nearest curve over the knots, to which the points slide while that helps.
@@ -176,12 +174,11 @@ impl FitSearch<'_> {
     /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
     fn slid(&mut self, trial: &FittedCurve, along: f64) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
-        let how = if self.is_sample { FootStep::PastNeighbours } else { FootStep::UpToNeighbours };
-        let (start, known) = (trial.parameters.clone(), Some(&trial.places[..]));
-        let parameters = stepped(&trial.curve, self.points, start, known, how);
+        let parameters =
+            self.corrected(&trial.curve, trial.parameters.clone(), Some(&trial.places));
         let places = slid(&trial.curve, &parameters, self.points, along)?;
         let curve = NurbsCurve::polynomial(trial.curve.knots().clone(), &places).ok()?;
-        let parameters = stepped(&curve, self.points, parameters, None, how);
+        let parameters = self.corrected(&curve, parameters, None);
         let (mut least, mut sum) = (f64::MAX, 0.0);
         let mut misses = Vec::with_capacity(parameters.len());
         let mut places = Vec::with_capacity(parameters.len());
@@ -207,6 +204,50 @@ impl FitSearch<'_> {
         let places: Vec<DVec3> = found.into_iter().map(DVec4::truncate).collect();
         let curve = NurbsCurve::polynomial(knots.clone(), &places).ok()?;
         Some(FittedCurve::new(curve, parameters, misses))
+    }
+
+    /// One step of each inner parameter towards the nearest place of the curve, in order; `known` are the places at the
+    /// parameters, if they are.
+    fn corrected(
+        &self,
+        curve: &NurbsCurve,
+        mut parameters: Vec<f64>,
+        known: Option<&[[DVec3; 3]]>,
+    ) -> Vec<f64> {
+        let curve = curve.evaluator();
+        let mut steps = Vec::with_capacity(parameters.len());
+        let mut step_from = |[value, first, second]: [DVec3; 3]| {
+            let i = steps.len();
+            let miss = value - self.points[i];
+            let speed = first.length_squared();
+            let bent = speed + miss.dot(second);
+            let slope = if 0.0 < bent { bent } else { speed };
+            let step = if 0.0 < slope { miss.dot(first) / slope } else { 0.0 };
+            steps.push((parameters[i] - step, miss.length_squared()));
+        };
+        match known.filter(|known| known.len() == parameters.len()) {
+            Some(known) => known.iter().copied().for_each(step_from),
+            None => curve.each_second_order(&parameters, &mut step_from),
+        }
+        // Few of them come upon a neighbour: the others are looked at together.
+        let places: Vec<f64> = steps.iter().map(|step| step.0).collect();
+        let mut found = Vec::with_capacity(places.len());
+        curve.each_point(&places, |place| {
+            found.push(place.distance_squared(self.points[found.len()]));
+        });
+        for i in 1..parameters.len() - 1 {
+            let (wanted, miss) = steps[i];
+            let next = wanted.max(parameters[i - 1]).min(parameters[i + 1]);
+            let is_there = next.total_cmp(&wanted).is_eq();
+            let off = match is_there {
+                true => found[i],
+                false => curve.point_at(next).distance_squared(self.points[i]),
+            };
+            if off < miss {
+                parameters[i] = next;
+            }
+        }
+        parameters
     }
 
     /// Adds knots where points are missed until none is; `None` where `most` control points would
@@ -239,31 +280,6 @@ impl FitSearch<'_> {
             };
         }
         None
-    }
-
-    /// [`Self::grown`] by whichever steps of the parameters take fewer control points; the search goes on by these.
-    fn grown_either_way(
-        &mut self,
-        coarsest: &KnotVector,
-        parameters: &[f64],
-        most: usize,
-    ) -> Option<FittedCurve> {
-        let mut best: Option<(FittedCurve, FootStep)> = None;
-        for step in [FootStep::PastNeighbours, FootStep::UpToNeighbours] {
-            self.foot_step = step;
-            let most = best.as_ref().map_or(most, |(best, _)| best.n_control() - 1);
-            if let Some(found) = self.grown(coarsest.clone(), parameters, most) {
-                best = Some((found, step));
-            }
-        }
-        let (found, step) = best?;
-        // Where knots do not go one by one, short steps find what long ones pass over.
-        if FEW < found.n_control() {
-            self.foot_step = FootStep::UpToNeighbours;
-            return self.grown(coarsest.clone(), parameters, most);
-        }
-        self.foot_step = step;
-        Some(found)
     }
 
     /// The curve through all points, which no tolerance above rounding can refuse. Where it makes detours at

@@ -4,7 +4,7 @@ use super::search::{FitSearch, FittedCurve};
 use crate::{KnotVector, NurbsCurve, ceiling::KNOTS_TRIED, removal::removal, sorting::sort_by};
 
 /// Control points up to which knots go one by one; of more that is seldom worth the time.
-pub(super) const FEW: usize = 64;
+const FEW: usize = 64;
 
 impl FitSearch<'_> {
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
