@@ -5,6 +5,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot build its example fails")]
 
 mod analytic;
+mod balls;
 mod basis;
 mod beside_edges;
 mod beside_waves;

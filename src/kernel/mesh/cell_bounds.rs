@@ -68,6 +68,8 @@ pub struct TessellationOptions {
     /// Corners and edges of surfaces that are no further apart are one, as far as the tolerance
     /// leaves room for that.
     pub weld: f64,
+    /// Whether triangles are two for each cell of a grid, also where fewer of another kind would do.
+    pub is_grid: bool,
     /// Threads that may work on it; the mesh does not depend on how many.
     pub n_threads: usize,
 }
@@ -77,7 +79,7 @@ impl TessellationOptions {
     #[must_use]
     pub const fn within(tolerance: f64) -> Self {
         let weld = Tolerance::DEFAULT.distance;
-        Self { tolerance, angle: PI, max_edge: f64::INFINITY, weld, n_threads: 1 }
+        Self { tolerance, angle: PI, max_edge: f64::INFINITY, weld, is_grid: false, n_threads: 1 }
     }
 
     /// # Errors

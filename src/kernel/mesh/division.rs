@@ -42,8 +42,7 @@ impl SharedEdges {
         self.seams.iter().map(|_| Mutex::default()).collect()
     }
 
-    /// The vertices on the four edges of each sheet, those of a point only at its ends; by up to
-    /// `n_threads` threads.
+    /// The vertices on the four edges of each sheet, by up to `n_threads` threads.
     ///
     /// # Errors
     /// Those of [`SurfacePatch::point_at`]; `CountError::TooManyVertices`.
@@ -55,25 +54,47 @@ impl SharedEdges {
         most: usize,
         n_threads: usize,
     ) -> Result<Vec<[Vertices; 4]>, GeomError> {
-        let mut all: Vec<[Vertices; 4]> = sheets.iter().map(|_| Default::default()).collect();
-        for edge in self.edges.iter().filter(|edge| edge.is_point) {
-            let point = self.corners[edge.corners[0] as usize];
-            let ends = [edge.domain().start(), edge.domain().end()];
-            all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
-        }
         let mut found: Vec<Vertices> = vec![Vertices::new(); self.stretches.len()];
-        let seams: Vec<(&SharedEdge, &Mutex<_>)> = self.seams.iter().zip(known).collect();
-        let divided = side_by_side::map(&seams, n_threads, |&(seam, known)| {
-            let mut known = known.lock().unwrap_or_else(PoisonError::into_inner);
+        let all: Vec<usize> = (0..self.seams.len()).collect();
+        self.divide(&all, (sheets, cells, known), [most, n_threads], &mut found)?;
+        Ok(self.around(sheets.len(), found))
+    }
+
+    /// Finds the vertices on the stretches of some seams.
+    ///
+    /// # Errors
+    /// Those of [`Self::vertices`].
+    pub(super) fn divide(
+        &self,
+        seams: &[usize],
+        (sheets, cells, known): (&[SurfacePatch<'_>], &[Cells], &KnownPlaces),
+        [most, n_threads]: [usize; 2],
+        found: &mut [Vertices],
+    ) -> Result<(), GeomError> {
+        let divided = side_by_side::map(seams, n_threads, |&i| {
+            let mut known = known[i].lock().unwrap_or_else(PoisonError::into_inner);
+            let seam = &self.seams[i];
             self.divided(seam, SeamDivision::new(self, seam, sheets, cells, &mut known), most)
         });
-        for (seam, divided) in self.seams.iter().zip(divided) {
+        for (&seam, divided) in seams.iter().zip(divided) {
             let (stops, points) = divided?;
-            for (i, &(stretch, turns)) in seam.stretches.iter().enumerate() {
+            for (i, &(stretch, turns)) in self.seams[seam].stretches.iter().enumerate() {
                 let places = stops.iter().zip(&points);
                 let vertices = places.map(|(stop, &point)| (stop.parameters[i], point));
                 found[stretch] = if turns { vertices.rev().collect() } else { vertices.collect() };
             }
+        }
+        Ok(())
+    }
+
+    /// The vertices on the four edges of each sheet, of those on each stretch; those of an edge that is a point only at
+    /// its ends.
+    pub(super) fn around(&self, n_sheets: usize, found: Vec<Vertices>) -> Vec<[Vertices; 4]> {
+        let mut all: Vec<[Vertices; 4]> = (0..n_sheets).map(|_| Default::default()).collect();
+        for edge in self.edges.iter().filter(|edge| edge.is_point) {
+            let point = self.corners[edge.corners[0] as usize];
+            let ends = [edge.domain().start(), edge.domain().end()];
+            all[edge.sheet][edge.number] = ends.map(|t| (t, point)).to_vec();
         }
         for (stretch, vertices) in self.stretches.iter().zip(found) {
             let edge = &self.edges[stretch.edge];
@@ -82,7 +103,13 @@ impl SharedEdges {
             whole.pop();
             whole.extend(vertices);
         }
-        Ok(all)
+        all
+    }
+
+    /// The sheets that share a seam.
+    pub(super) fn sheets_of(&self, seam: usize) -> impl Iterator<Item = usize> + '_ {
+        let stretches = self.seams[seam].stretches.iter();
+        stretches.map(|&(stretch, _)| self.edges[self.stretches[stretch].edge].sheet)
     }
 
     /// The places where a seam is divided, and their points.
@@ -286,6 +313,9 @@ impl<'a, 's> SeamDivision<'a, 's> {
         self.stretches().zip(ends).all(|((_, edge, _), (&a, &b))| {
             let (ends, cells) = ([a.min(b), a.max(b)], &self.cells[edge.sheet]);
             let is_last = edge.number % 2 == 1;
+            if cells.ball().is_some_and(|ball| !ball.allows_leg(edge.number, ends)) {
+                return false;
+            }
             cells.allow(match edge.number {
                 0 | 1 => [cells.rim(Direction::U, is_last), ends],
                 _ => [ends, cells.rim(Direction::V, is_last)],

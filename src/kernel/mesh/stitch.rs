@@ -6,7 +6,9 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch};
+use super::{
+    Mesh, ball_mesh::ball_mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch,
+};
 use crate::{
     Bounds, CountError, Direction, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -21,16 +23,33 @@ struct GridLine {
 
 /// A vertex on a side of a strip.
 #[derive(Clone, Copy, Debug)]
-struct StripVertex {
+pub(super) struct StripVertex {
     at: f64,
     side: Side,
     vertex: u32,
 }
 
+impl StripVertex {
+    /// One that has no crease beside it.
+    pub(super) fn new(at: f64, vertex: u32) -> Self {
+        Self { at, side: Side::Right, vertex }
+    }
+
+    /// The number of the vertex.
+    pub(super) fn number(self) -> u32 {
+        self.vertex
+    }
+
+    /// The same by its place along another direction.
+    pub(super) fn moved(self, at: f64) -> Self {
+        Self { at, ..self }
+    }
+}
+
 /// A mesh in the making.
-struct Stitcher<'a, 's> {
-    sheet: &'a SurfacePatch<'s>,
-    mesh: Mesh,
+pub(super) struct Stitcher<'a, 's> {
+    pub(super) sheet: &'a SurfacePatch<'s>,
+    pub(super) mesh: Mesh,
     /// Lines inside along u and along v.
     lines: [Vec<GridLine>; 2],
     /// A length that is rounding.
@@ -67,7 +86,13 @@ pub(super) fn stitched(
     let corners = edges.iter().flatten().map(|&(_, point)| point);
     let magnitude = Bounds::of(corners).map_or(0.0, Bounds::magnitude);
     let rounding = VANISHING_RELATIVE * magnitude;
-    let mut stitcher = Stitcher { sheet, mesh: Mesh::default(), lines, rounding };
+    if let Some(ball) = cells.ball() {
+        let fewer = 2 * (cells.lines[0].len() - 1) * (cells.lines[1].len() - 1);
+        if let Some(mesh) = ball_mesh(sheet, ball, (edges, rounding), fewer)? {
+            return Ok(mesh);
+        }
+    }
+    let mut stitcher = Stitcher { lines, ..Stitcher::new(sheet, rounding) };
     if is_open_u || is_open_v {
         stitcher.bridge(if is_open_u { Direction::U } else { Direction::V }, edges);
     } else {
@@ -95,8 +120,14 @@ fn inner_lines(sheet: &SurfacePatch<'_>, lines: &[f64], along: Direction) -> Vec
     all
 }
 
+impl<'a, 's> Stitcher<'a, 's> {
+    pub(super) fn new(sheet: &'a SurfacePatch<'s>, rounding: f64) -> Self {
+        Self { sheet, mesh: Mesh::default(), lines: Default::default(), rounding }
+    }
+}
+
 impl Stitcher<'_, '_> {
-    fn add(&mut self, [u, v]: [f64; 2], point: DVec3, normal: DVec3) -> u32 {
+    pub(super) fn add(&mut self, [u, v]: [f64; 2], point: DVec3, normal: DVec3) -> u32 {
         let vertex = self.mesh.vertices.len() as u32;
         self.mesh.vertices.push(point);
         self.mesh.normals.push(normal);
@@ -105,7 +136,7 @@ impl Stitcher<'_, '_> {
     }
 
     /// Adds a triangle, turned round for an odd edge, unless two of its corners are one place.
-    fn triangle(&mut self, [a, b, c]: [u32; 3], turns: bool) {
+    pub(super) fn triangle(&mut self, [a, b, c]: [u32; 3], turns: bool) {
         let place = |vertex: u32| self.mesh.vertices[vertex as usize];
         let sides = [(a, b), (b, c), (c, a)];
         if sides.iter().all(|&(a, b)| self.rounding < place(a).distance(place(b))) {
@@ -159,23 +190,35 @@ impl Stitcher<'_, '_> {
         Ok(())
     }
 
-    /// The strips along the four edges. Two that meet share the side from the corner to the
-    /// nearest vertex of the grid.
+    /// The strips along the four edges.
     fn strips(&mut self, edges: &[Vertices; 4]) {
         let counts = [self.lines[0].len(), self.lines[1].len()];
-        let mut corners = [[None; 2]; 2];
-        for (number, vertices) in edges.iter().enumerate() {
+        let lines = self.lines.clone();
+        self.strips_to(edges, |number| {
             let along = edge_direction(number);
             let fixed = if number % 2 == 1 { counts[along.other()] - 1 } else { 0 };
-            let inner: Vec<StripVertex> = (0..counts[along])
+            (0..counts[along])
                 .map(|k| {
                     let [i, j] = along.pair(k, fixed);
                     let vertex = i * counts[1] + j;
-                    let GridLine { at, side } = self.lines[along][k];
+                    let GridLine { at, side } = lines[along][k];
                     StripVertex { at, side, vertex: vertex as u32 }
                 })
-                .collect();
-            let outer = self.outer(number, vertices, &mut corners);
+                .collect()
+        });
+    }
+
+    /// The strips between the four edges and what is beside each of them inside. Two that meet share the side from the
+    /// corner to the nearest vertex inside.
+    pub(super) fn strips_to(
+        &mut self,
+        edges: &[Vertices; 4],
+        inner: impl Fn(usize) -> Vec<StripVertex>,
+    ) {
+        let mut corners = [[None; 2]; 2];
+        for (number, vertices) in edges.iter().enumerate() {
+            let inner = inner(number);
+            let outer = self.outer(number, (vertices, &inner), &mut corners);
             self.strip(&outer, &inner, number == 0 || number == 3);
         }
     }
@@ -184,16 +227,17 @@ impl Stitcher<'_, '_> {
     fn bridge(&mut self, across: Direction, edges: &[Vertices; 4]) {
         let mut corners = [[None; 2]; 2];
         let first = [0, 2][across];
-        let sides =
-            [first, first + 1].map(|number| self.outer(number, &edges[number], &mut corners));
+        let sides = [first, first + 1]
+            .map(|number| self.outer(number, (&edges[number], &[]), &mut corners));
         self.strip(&sides[0], &sides[1], across == Direction::U);
     }
 
-    /// The vertices of an edge, those of its corners shared with the edges beside it.
+    /// The vertices of an edge, those of its corners shared with the edges beside it; of one that is a point as many as
+    /// beside it inside.
     fn outer(
         &mut self,
         number: usize,
-        vertices: &Vertices,
+        (vertices, inner): (&Vertices, &[StripVertex]),
         corners: &mut [[Option<u32>; 2]; 2],
     ) -> Vec<StripVertex> {
         let along = edge_direction(number);
@@ -201,7 +245,7 @@ impl Stitcher<'_, '_> {
         let across = self.sheet.domains()[along.other()];
         let fixed = if is_last == 1 { across.end() } else { across.start() };
         let domain = self.sheet.domains()[along];
-        let vertices = self.spread(vertices, along, domain);
+        let vertices = self.spread(vertices, inner, domain);
         let creases = self.creases_among(&vertices, along);
         let mut knots = Vec::with_capacity(vertices.len() + creases.len());
         for (k, &(at, point)) in vertices.iter().enumerate() {
@@ -253,10 +297,10 @@ impl Stitcher<'_, '_> {
 
     /// The vertices of an edge that is one point at every line that comes there: each has a normal
     /// of its own.
-    fn spread(&self, vertices: &Vertices, along: Direction, domain: Interval) -> Vertices {
+    fn spread(&self, vertices: &Vertices, inner: &[StripVertex], domain: Interval) -> Vertices {
         match vertices[..] {
             [(start, a), (end, b)] if a.distance(b) <= self.rounding => {
-                let mut lines: Vec<f64> = self.lines[along].iter().map(|line| line.at).collect();
+                let mut lines: Vec<f64> = inner.iter().map(|vertex| vertex.at).collect();
                 lines.dedup_by(|a, b| (*a - *b).abs() <= PLACE_RELATIVE * domain.length());
                 let inner = lines.into_iter().map(|at| (at, a));
                 [(start, a)].into_iter().chain(inner).chain([(end, b)]).collect()
@@ -281,7 +325,7 @@ impl Stitcher<'_, '_> {
         }
     }
 
-    fn zip(&mut self, first: &[StripVertex], second: &[StripVertex], turns: bool) {
+    pub(super) fn zip(&mut self, first: &[StripVertex], second: &[StripVertex], turns: bool) {
         let (mut i, mut j) = (0, 0);
         loop {
             let (next, other) = (first.get(i + 1), second.get(j + 1));

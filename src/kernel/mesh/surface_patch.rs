@@ -5,6 +5,7 @@ use std::{borrow::Cow, sync::Arc};
 use glam::DVec3;
 
 use super::{
+    ball::Ball,
     cell_bounds::{CellBounds, TessellationOptions},
     grid::check_vertices,
     steps::CellWidths,
@@ -33,7 +34,9 @@ pub(super) struct SurfacePatch<'a> {
 /// The cells of a sheet.
 #[derive(Debug)]
 pub(super) struct Cells {
-    limits: CellBounds,
+    /// None any more once the edges are divided and nothing is asked of them again.
+    limits: Option<CellBounds>,
+    ball: Option<Ball>,
     /// Parameters of the lines along u and along v, the ends of the domain among them.
     pub(super) lines: [Vec<f64>; 2],
 }
@@ -122,7 +125,7 @@ impl<'a> SurfacePatch<'a> {
             let is_narrowed = limits.narrow(&lines, &mut widths);
             GeomError::go_on(1)?;
             if !is_narrowed {
-                return Ok(Cells { limits, lines });
+                return Ok(Cells { limits: Some(limits), ball: None, lines });
             }
         }
     }
@@ -141,7 +144,29 @@ fn full_knots(knots: &KnotVector) -> Vec<f64> {
 impl Cells {
     /// Whether a triangle may reach over these intervals of u and of v.
     pub(super) fn allow(&self, box_of: [[f64; 2]; 2]) -> bool {
-        self.limits.allow(box_of)
+        match &self.limits {
+            Some(limits) => limits.allow(box_of),
+            None => unreachable!("limits are let go of when all edges are divided"),
+        }
+    }
+
+    /// Those of a ball, if it is one: a mesh of fewer triangles.
+    pub(super) fn of_ball(self, ball: Option<Ball>) -> Self {
+        Self { ball, ..self }
+    }
+
+    pub(super) fn ball(&self) -> Option<&Ball> {
+        self.ball.as_ref()
+    }
+
+    /// Their limits, as long as they are kept.
+    pub(super) fn limits(&self) -> Option<&CellBounds> {
+        self.limits.as_ref()
+    }
+
+    /// Lets go of the limits, which take most of the memory.
+    pub(super) fn let_go(&mut self) {
+        self.limits = None;
     }
 
     /// The first or last step of the lines along a direction.

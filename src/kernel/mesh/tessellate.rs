@@ -10,9 +10,10 @@ use super::{
     Mesh, MeshError, TessellationOptions,
     cell_bounds::CellBounds,
     chord::chord_deviation,
+    passing::cells_and_vertices,
     seam::{SharedEdges, Vertices},
     stitch::stitched,
-    surface_patch::SurfacePatch,
+    surface_patch::{Cells, SurfacePatch},
 };
 use crate::{
     CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier,
@@ -129,19 +130,19 @@ fn meshes_of(
     // Where there are surfaces enough, each is the work of one thread: one of a few may be most of the work.
     let of_one = if sheets.len() < FEW_SHEETS * n_threads { n_threads } else { 1 };
     let alone = TessellationOptions { n_threads: of_one, ..*limits };
-    let all: Vec<CellBounds> = side_by_side::map(&sheets, n_threads, |sheet| sheet.limits(&alone));
     let known = seams.places();
+    let counts = [max_vertices, n_threads];
+    let (mut cells, mut edges) = cells_and_vertices(&seams, (&sheets, &known), &alone, counts)?;
+    // None where nothing is made sharper.
+    let all: Vec<CellBounds> = cells.iter().filter_map(Cells::limits).cloned().collect();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let numbers: Vec<usize> = (0..sheets.len()).collect();
     let cells_of =
         |i: usize, sharpness: f64| sheets[i].cells(all[i].sharpened(sharpness), max_vertices);
-    let cells = side_by_side::map(&numbers, n_threads, |&i| cells_of(i, 1.0));
-    let mut cells = cells.into_iter().collect::<Result<Vec<_>, GeomError>>()?;
     let mut round = 0;
     loop {
         GeomError::go_on(1)?;
-        let edges = seams.vertices(&sheets, &cells, &known, max_vertices, n_threads)?;
         let meshes = side_by_side::map(&numbers, n_threads, |&i| {
             stitched(&sheets[i], &cells[i], &edges[i], max_vertices)
         });
@@ -167,6 +168,7 @@ fn meshes_of(
         for (i, narrower) in too_wide.into_iter().zip(narrower) {
             cells[i] = narrower?;
         }
+        edges = seams.vertices(&sheets, &cells, &known, max_vertices, n_threads)?;
     }
 }
 

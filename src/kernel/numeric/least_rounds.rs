@@ -86,7 +86,9 @@ impl RoundsBefore {
             }
             LeastEnd::Unbounded => self.beyond(search, is_first, end)?,
             LeastEnd::Unattained if !has_conditions => self.beyond(search, is_first, end)?,
-            LeastEnd::Settled | LeastEnd::Flat if !(is_first && end == LeastEnd::Flat) => {
+            // Of the start there is nothing else to tell.
+            LeastEnd::Flat if is_first && search.is_at_start() => Floor::Other(end),
+            LeastEnd::Settled | LeastEnd::Flat => {
                 let may_rest =
                     self.far.is_none() && self.first.is_some_and(|first| search.values[0] < first);
                 search.floor(first, may_rest)?
@@ -142,6 +144,10 @@ impl<F, E> LeastSearch<'_, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
+    fn is_at_start(&self) -> bool {
+        self.place.iter().zip(self.problem.start).all(|(x, from)| (x - from).abs() <= 0.0)
+    }
+
     /// How the search ends that goes on from better places beside its ends.
     fn end(&mut self) -> Result<LeastEnd, E> {
         let began = self.values[0];

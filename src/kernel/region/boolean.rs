@@ -15,7 +15,7 @@ impl Region {
     ///
     /// # Errors
     /// [`RegionError::OtherPlane`]; [`RegionError::Unclear`] and [`RegionError::Thin`] where borders
-    /// come within the tolerance of one another without being one.
+    /// come within the tolerance of one another without being one; [`RegionError::TooSmall`] where one is a place.
     pub fn union(
         all: &[Self],
         tolerance: Tolerance,
@@ -130,7 +130,8 @@ fn combined(
         Arrangement::of(&rings, Apart::Groups, distance, n_threads).map_err(in_space(frame))?;
     // What is one place within the tolerance would be left out in silence.
     if let Some(point) = arrangement.swallowed {
-        return Err(RegionError::Unclear { point: frame.point(point) }.into());
+        let point = frame.point(point);
+        return Err(RegionError::TooSmall { point, tolerance: distance }.into());
     }
     let loops = arrangement.loops(is_inside, n_threads).map_err(in_space(frame))?;
     sorted(loops, frame, distance)

@@ -27,6 +27,9 @@ pub enum RegionError {
     /// Borders whose course is not certain.
     #[error("the borders near {} come too close to one another to be told apart", place(*point))]
     Unclear { point: DVec3 },
+    /// A border that would be lost.
+    #[error("a border near {} is one place within the tolerance {}", place(*point), few_digits(*tolerance))]
+    TooSmall { point: DVec3, tolerance: f64 },
     /// A part that is next to nothing.
     #[error(
         "a part of the result near {} is {} wide, less than the tolerance {}",

@@ -67,7 +67,8 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Mesh> {
         None => f64::INFINITY,
     };
     let (weld, n_threads) = (ctx.tolerance.distance, ctx.n_threads);
-    let limits = TessellationOptions { tolerance, angle, max_edge, weld, n_threads };
+    let is_grid = args.quads;
+    let limits = TessellationOptions { tolerance, angle, max_edge, weld, is_grid, n_threads };
     let most = ctx.limits.mesh_vertices;
     let hint = "a larger tolerance, angle or longest edge takes fewer vertices";
     let too_large = |mistake: Box<Diagnostic>| match mistake.code {

@@ -47,7 +47,9 @@ pub fn code_of(error: &GeomError) -> Code {
 const fn of_region(error: &RegionError) -> Code {
     match error {
         RegionError::OtherPlane { .. } | RegionError::NoCorner { .. } => Code::Degenerate,
-        RegionError::Unclear { .. } | RegionError::Thin { .. } => Code::WithinTolerance,
+        RegionError::Unclear { .. } | RegionError::TooSmall { .. } | RegionError::Thin { .. } => {
+            Code::WithinTolerance
+        }
         RegionError::NoRoom { .. } => Code::NoRoom,
     }
 }

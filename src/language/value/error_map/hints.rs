@@ -326,6 +326,9 @@ fn of_region(error: &RegionError) -> String {
         RegionError::Unclear { .. } | RegionError::Thin { .. } => {
             "let borders run along one another exactly or cross clearly, or state a smaller `tolerance`"
         }
+        RegionError::TooSmall { .. } => {
+            "leave it out, make it larger, or state a smaller `tolerance`"
+        }
         RegionError::NoRoom { .. } => {
             "the arc must touch both sides of the corner, beside the arcs of its neighbours; take a smaller radius"
         }

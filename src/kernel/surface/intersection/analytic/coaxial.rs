@@ -9,8 +9,9 @@ use glam::{DVec2, DVec3};
 
 use super::{AnalyticForm, AnalyticSurface};
 use crate::{
-    CircleForm, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance,
+    CircleForm, Direction, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance,
     frame::norm,
+    sorting::sort_by,
     tolerance::{COAXIAL_SINE, CONTACT_SHARE},
 };
 
@@ -94,12 +95,23 @@ impl NurbsSurface {
         if circles.is_empty() || !circles.iter().all(is_clear) {
             return None;
         }
+        // In the order of parameters of the first that has some across them, as a search finds them.
+        let (axis, _) = self.meridians(other, distance)?;
+        let around = [self, other].into_iter().find_map(|surface| {
+            Some((surface, surface.direction_around(axis, distance)?.other()))
+        });
+        let place = |circle: &NurbsCurve| {
+            around.map_or(0.0, |(surface, across)| surface.closest(circle.start()).parameters[across])
+        };
+        let mut places: Vec<(f64, NurbsCurve)> =
+            circles.into_iter().map(|circle| (place(&circle), circle)).collect();
+        sort_by(&mut places, |a, b| a.0.total_cmp(&b.0));
         // Parametrized by about their length, as all that is found of surfaces.
-        let along = |circle: NurbsCurve| {
+        let along = |(_, circle): (f64, NurbsCurve)| {
             let domain = Interval::new(0.0, circle.length(circle.domain())).ok()?;
             Some(circle.reparametrized(domain))
         };
-        circles.into_iter().map(along).collect()
+        places.into_iter().map(along).collect()
     }
 
     /// The ends of its sides where it is a plane of four corners, which is convex.
@@ -125,12 +137,17 @@ impl NurbsSurface {
             is_closed[1] && is_point(start_u) && is_point(end_u),
             is_closed[0] && is_point(start_v) && is_point(end_v),
         ];
+        is_sphere && has_poles.contains(&true) || self.direction_around(axis, distance).is_some()
+    }
+
+    /// The direction along which it goes all around an axis, if along one.
+    fn direction_around(&self, axis: Frame, distance: f64) -> Option<Direction> {
         let domains = [self.domain_u(), self.domain_v()];
-        let is_around = |along: usize| {
+        let is_around = |along: Direction| {
             let places = [0.2, 0.4, 0.7].map(|at| domains.map(|domain| domain.at(at)));
             places.iter().all(|&[u, v]| {
-                let tangents = self.tangents_at(u, v);
-                let (point, way) = (tangents[0], tangents[1 + along]);
+                let [point, along_u, along_v] = self.tangents_at(u, v);
+                let way = [along_u, along_v][along];
                 let arm = point - axis.origin();
                 let out = arm - axis.z() * arm.dot(axis.z());
                 let skew =
@@ -138,8 +155,8 @@ impl NurbsSurface {
                 skew <= Tolerance::DEFAULT.angle.sqrt() * norm(way)
             })
         };
-        is_sphere && has_poles.contains(&true)
-            || (0..2).any(|along| is_closed[along] && is_around(along))
+        let is_closed = [self.is_closed_u(distance), self.is_closed_v(distance)];
+        Direction::BOTH.into_iter().find(|&along| is_closed[along] && is_around(along))
     }
 
     /// Whether both lie on one cylinder, cone, sphere or torus.
