@@ -6,8 +6,11 @@
 
 set -euo pipefail
 
+out=${1:+$(realpath "$1")}
 cd "$(dirname "${BASH_SOURCE[0]}")"
-out=${1:-../target/wheels}
+out=${out:-../target/wheels}
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
 
 # What is not that small is not inlined: it takes no longer, and a tenth less room.
 flags=("-C" "llvm-args=--inline-threshold=30")
@@ -17,11 +20,11 @@ if [[ $(uname -sm) == "Linux x86_64" ]]; then
 fi
 export RUSTFLAGS="${RUSTFLAGS:-} ${flags[*]}"
 
-maturin build --profile dist --out "$out" --compression-level 9
-wheels=("$out"/virote-*.whl)
+maturin build --profile dist --out "$folder" --compression-level 9
+wheel=("$folder"/virote-*.whl)
 if command -v advzip >/dev/null; then
-    advzip --recompress --shrink-extra "${wheels[@]}"
+    advzip --quiet --recompress --shrink-extra "${wheel[0]}"
 fi
-for wheel in "${wheels[@]}"; do
-    echo "${wheel##*/}: $(wc -c <"$wheel") bytes"
-done
+mkdir -p "$out"
+mv "${wheel[0]}" "$out"
+echo "$out/${wheel[0]##*/}: $(wc -c <"$out/${wheel[0]##*/}") bytes"

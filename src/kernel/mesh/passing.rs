@@ -12,8 +12,8 @@ use super::{
 };
 use crate::{GeomError, side_by_side};
 
-/// Sheets for each thread whose cells are found before the edges that they share are divided.
-const SHEETS_AT_ONCE: usize = 32;
+/// Sheets whose cells are found before the edges that they share are divided.
+const SHEETS_AT_ONCE: usize = 64;
 
 /// The cells of all sheets and the vertices on their edges, by up to `n_threads` threads, each sheet with the limits
 /// `alone`; these are kept where the angle is limited, since they may be made sharper then.
@@ -38,7 +38,7 @@ pub(super) fn cells_and_vertices(
     let mut found: Vec<Vertices> = vec![Vertices::new(); seams.stretches.len()];
     let mut held: Vec<usize> = Vec::new();
     let numbers: Vec<usize> = (0..sheets.len()).collect();
-    for block in numbers.chunks(SHEETS_AT_ONCE * n_threads.max(1)) {
+    for block in numbers.chunks(SHEETS_AT_ONCE) {
         let made = side_by_side::map(block, n_threads, |&i| {
             let cells = sheets[i].cells(sheets[i].limits(alone), most)?;
             Ok::<_, GeomError>(cells.of_ball(Ball::of(&sheets[i], alone)))

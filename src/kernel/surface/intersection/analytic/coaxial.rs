@@ -95,13 +95,19 @@ impl NurbsSurface {
         if circles.is_empty() || !circles.iter().all(is_clear) {
             return None;
         }
-        // In the order of parameters of the first that has some across them, as a search finds them.
+        // In the order of parameters of the first that has some across them, balls last, as a search finds them.
         let (axis, _) = self.meridians(other, distance)?;
-        let around = [self, other].into_iter().find_map(|surface| {
-            Some((surface, surface.direction_around(axis, distance)?.other()))
-        });
+        let is_ball = matches!(
+            self.analytic(distance).map(|found| found.form),
+            Some(AnalyticForm::Sphere { .. })
+        );
+        let in_turn = if is_ball { [other, self] } else { [self, other] };
+        let around = in_turn
+            .into_iter()
+            .find_map(|surface| Some((surface, surface.direction_around(axis, distance)?.other())));
         let place = |circle: &NurbsCurve| {
-            around.map_or(0.0, |(surface, across)| surface.closest(circle.start()).parameters[across])
+            around
+                .map_or(0.0, |(surface, across)| surface.closest(circle.start()).parameters[across])
         };
         let mut places: Vec<(f64, NurbsCurve)> =
             circles.into_iter().map(|circle| (place(&circle), circle)).collect();
