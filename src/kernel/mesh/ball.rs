@@ -8,15 +8,12 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::{cell_bounds::TessellationOptions, surface_patch::SurfacePatch};
-use crate::{AnalyticForm, Direction};
+use super::cell_bounds::TessellationOptions;
+use crate::{AnalyticForm, Direction, NurbsSurface, tolerance::LEAST_HEIGHT};
 
 /// Places at which angles are told: along each span of the parameters at most, and of many spans together.
 const ANGLES_A_SPAN: usize = 256;
 const ANGLES: usize = 1024;
-
-/// The height of a triangle is at least this part of its longest side.
-const LEAST_HEIGHT: f64 = 0.06;
 
 /// A sphere is at least so many times as large as the circles around its triangles.
 const LEAST_FINE: f64 = 4.0;
@@ -53,19 +50,18 @@ pub(super) struct AngleTable {
 }
 
 impl Ball {
-    /// That of a sheet which is one, unless a grid is wanted.
-    pub(super) fn of(sheet: &SurfacePatch<'_>, wanted: &TessellationOptions) -> Option<Self> {
-        let is_smooth = sheet.breaks.iter().all(Vec::is_empty);
-        // A polynomial surface is no sphere.
-        if !(is_smooth && !wanted.is_grid && sheet.spline.is_rational()) || sheet.is_function() {
-            return None;
-        }
-        let found = sheet.spline.analytic(wanted.weld)?;
+    /// That of a spline which is one, within a tolerance.
+    pub(super) fn of(
+        spline: &NurbsSurface,
+        tolerance: f64,
+        wanted: &TessellationOptions,
+    ) -> Option<Self> {
+        let found = spline.analytic(wanted.weld)?;
         let AnalyticForm::Sphere { radius } = found.form else { return None };
         let turn = 2.0 * radius * libm::sin(0.5 * wanted.angle.min(PI));
         let most_side = wanted.max_edge.min(turn);
         // A larger one than the radius allows no longer sides.
-        let tolerance = sheet.tolerance().min(radius);
+        let tolerance = tolerance.min(radius);
         let chord = (tolerance * (2.0 * radius - tolerance)).sqrt();
         // No side is longer than the circle is wide.
         let reach = chord.min(0.5 * most_side);
@@ -74,10 +70,11 @@ impl Ball {
             return None;
         }
         let local = found.frame.from_space();
-        let place = |[u, v]: [f64; 2]| local.transform_point3(sheet.spline.point_at(u, v));
-        let middles = sheet.domains().map(|domain| domain.at(0.5));
+        let place = |[u, v]: [f64; 2]| local.transform_point3(spline.point_at(u, v));
+        let domains = [spline.domain_u(), spline.domain_v()];
+        let middles = domains.map(|domain| domain.at(0.5));
         let ends_along = |along: Direction| {
-            let domain = sheet.domains()[along];
+            let domain = domains[along];
             [domain.start(), domain.end()].map(|t| place(along.pair(t, middles[along.other()])))
         };
         // Along a circle all are at one height.
@@ -92,7 +89,7 @@ impl Ball {
                 p if along == around => libm::atan2(p.y, p.x),
                 p => latitude(p),
             };
-            let knots = sheet.spline.knots(along);
+            let knots = spline.knots(along);
             let n_steps = (ANGLES / knots.spans().count().max(1)).clamp(1, ANGLES_A_SPAN);
             let spans = knots.spans().map(|span| knots.span_interval(span));
             AngleTable::new(spans.flat_map(|span| span.steps(n_steps)), angle)

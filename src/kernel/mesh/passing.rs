@@ -4,7 +4,6 @@
 //! it have their cells too, so that of sheets in any order in which neighbours are near one another, few are held at once.
 
 use super::{
-    ball::Ball,
     cell_bounds::TessellationOptions,
     division::KnownPlaces,
     seam::{SharedEdges, Vertices},
@@ -41,7 +40,7 @@ pub(super) fn cells_and_vertices(
     for block in numbers.chunks(SHEETS_AT_ONCE) {
         let made = side_by_side::map(block, n_threads, |&i| {
             let cells = sheets[i].cells(sheets[i].limits(alone), most)?;
-            Ok::<_, GeomError>(cells.of_ball(Ball::of(&sheets[i], alone)))
+            Ok::<_, GeomError>(cells.of_ball(sheets[i].ball(alone)))
         });
         for made in made {
             cells.push(made?);

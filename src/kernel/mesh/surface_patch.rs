@@ -61,6 +61,17 @@ impl<'a> SurfacePatch<'a> {
         Self { spline: Cow::Borrowed(spline), function: None, breaks, tolerance }
     }
 
+    /// That of a sphere, if it is one and no grid is wanted.
+    pub(super) fn ball(&self, wanted: &TessellationOptions) -> Option<Ball> {
+        let is_smooth = self.breaks.iter().all(Vec::is_empty);
+        // A polynomial surface is no sphere.
+        let may_be = is_smooth && !wanted.is_grid && self.spline.is_rational();
+        if may_be && !self.is_function() {
+            return Ball::of(&self.spline, self.tolerance, wanted);
+        }
+        None
+    }
+
     /// Whether its points are not those of the spline.
     pub(super) fn is_function(&self) -> bool {
         self.function.is_some()

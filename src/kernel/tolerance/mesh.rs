@@ -29,6 +29,11 @@ pub const UNIT_SLACK: f64 = 1e-4;
 /// surfaces that rounding has moved apart.
 pub const WELD_SHARE: f64 = 0.05;
 
+/// The height of a triangle in a mesh of a sphere is at least this part of its longest side.
+///
+/// Larger gives spheres beside whose edges rows do not fit to a grid of more triangles; smaller lets slivers pass.
+pub const LEAST_HEIGHT: f64 = 0.06;
+
 /// Where a surface, around a cell of its mesh, has no more slope over the plane of the cell's normal,
 /// only what bends along that normal decides the cell's size.
 ///
