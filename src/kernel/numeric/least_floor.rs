@@ -108,6 +108,23 @@ where
         }
     }
 
+    /// Whether the function is the same on both sides in each unknown, and by two oblique ways as well.
+    pub(super) fn is_flat(&mut self) -> Result<bool, E> {
+        let n = self.place.len();
+        let along = (0..n).map(|k| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect());
+        let oblique = [2.0, 3.0].map(|turn| (0..n).map(|k| libm::cos(turn * k as f64)).collect());
+        let ways: Vec<Vec<f64>> = along.chain(oblique).collect();
+        for way in &ways {
+            for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
+                #[expect(clippy::float_cmp, reason = "a flat function yields one number")]
+                if self.moved(way, side)?.1[0] != self.values[0] {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
     /// What a place is all around which rounding hides what the function does.
     fn level(&mut self, along: &[usize], first: &[f64], may_rest: bool) -> Result<Floor, E> {
         if !may_rest {

@@ -11,8 +11,12 @@ use super::{
     quadratic_program::dot,
 };
 use crate::tolerance::{
-    LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_NEWTON_REACH, LEAST_PROBE_RELATIVE,
+    LEAST_GAIN_RELATIVE, LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_NEWTON_REACH,
+    LEAST_PLACE_RELATIVE, LEAST_PROBE_RELATIVE,
 };
+
+/// The share of a promised fall by which a step of Newton's method may miss that and keep its promise.
+const KEPT_SLACK: f64 = 0.1;
 
 impl<F, E> LeastSearch<'_, F>
 where
@@ -56,9 +60,26 @@ where
         let lower = self.shortened(&terms, &model, &way, slope)?;
         let lower = lower.filter(|(_, values)| self.is_lower(self.merit(values), reach));
         let Some(lower) = lower else { return Ok(false) };
+        if !self.is_smooth(self.merit(&lower.1), -0.5 * slope, reach) {
+            return Ok(false);
+        }
         self.leave_for(lower, reach);
         self.curvature = Some(model);
         Ok(true)
+    }
+
+    /// Whether a step of Newton's method so far tells that the function is smooth, by its penalized value there and the fall
+    /// that was promised. Beside a kink a step that is next to none falls by anything, which counts beside the whole fall
+    /// alone; where the promise was kept the function bends over so far.
+    fn is_smooth(&mut self, there: f64, promised: f64, reach: f64) -> bool {
+        let here = self.merit(&self.values);
+        let fall = here - there;
+        let is_kept = (fall - promised).abs() < KEPT_SLACK * promised;
+        if is_kept {
+            self.bend_reach = self.bend_reach.min(reach);
+        }
+        let is_far = LEAST_PLACE_RELATIVE < reach && 0.5 * promised < fall;
+        is_kept || is_far || LEAST_GAIN_RELATIVE * (self.start_merit - here) < fall
     }
 
     /// How far along a way the curvature is looked at by gradients: where nothing holds the unknowns by how far the place is

@@ -13,8 +13,8 @@ use crate::{
     ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
         ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
-        LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
-        LEAST_STALL_RELATIVE, LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
+        LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_STALL_RELATIVE,
+        LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
 };
 
@@ -39,10 +39,13 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) trail: LeastTrail,
     /// How far the last place was that was lower beside an end.
     pub(super) left_by: f64,
+    /// Over how far the function is known to bend: the least way that a step of Newton's method went as it promised.
+    pub(super) bend_reach: f64,
     /// Whether places beside its end were better again and again.
     pub(super) is_left: bool,
-    /// The penalized value where the last descent began.
+    /// The penalized value where the last descent began, and where the first one did.
     pub(super) first_merit: f64,
+    pub(super) start_merit: f64,
     /// The weighted gradients where the first descent begins, until it does.
     first_gradients: Option<Vec<Vec<f64>>>,
     /// The curvature where the next steps begin, where that was measured.
@@ -78,8 +81,10 @@ where
             first_gradients: None,
             curvature: None,
             left_by: 0.0,
+            bend_reach: 1.0,
             is_left: false,
             first_merit: 0.0,
+            start_merit: 0.0,
         };
         let slopes = search.asked.gradients(&search.place, search.problem.bounds)?;
         let changes = search.widen_units(&search.scaled(slopes.clone()))?;
@@ -93,6 +98,7 @@ where
                 search.weights[idx] = weight;
             }
         }
+        search.start_merit = search.merit(&search.values);
         search.first_gradients = Some(search.scaled(slopes));
         Ok(search)
     }
@@ -171,8 +177,14 @@ where
             let n_equations = self.problem.n_equations;
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
-            let Some(step) = model.step(&terms) else { return self.ended(gradients) };
-            if magnitude(&step.way) <= LEAST_STEP_RELATIVE && !self.is_free() {
+            let Some(step) = model.step(&terms) else {
+                if model.is_fresh() {
+                    return self.ended(gradients);
+                }
+                model = CurvatureModel::new(n);
+                continue;
+            };
+            if magnitude(&step.way) <= LEAST_STEP_RELATIVE * self.bend_reach {
                 return self.ended(gradients);
             }
             self.weigh_conditions(&step);
@@ -190,7 +202,7 @@ where
                 if model.is_fresh() {
                     return self.ended(gradients);
                 }
-                model = CurvatureModel::new(self.place.len());
+                model = CurvatureModel::new(n);
                 continue;
             };
             let before = std::mem::replace(&mut self.place, place);
@@ -370,23 +382,6 @@ where
         let way: Vec<f64> =
             taken.zip(&back).map(|(((x, from), unit), back)| (x - from) / unit + back).collect();
         self.moved(&way, 1.0).map(Some)
-    }
-
-    /// Whether the function is the same on both sides in each unknown, and by two oblique ways as well.
-    fn is_flat(&mut self) -> Result<bool, E> {
-        let n = self.place.len();
-        let along = (0..n).map(|k| (0..n).map(|i| if i == k { 1.0 } else { 0.0 }).collect());
-        let oblique = [2.0, 3.0].map(|turn| (0..n).map(|k| libm::cos(turn * k as f64)).collect());
-        let ways: Vec<Vec<f64>> = along.chain(oblique).collect();
-        for way in &ways {
-            for side in [-LEAST_PROBE_RELATIVE, LEAST_PROBE_RELATIVE] {
-                #[expect(clippy::float_cmp, reason = "a flat function yields one number")]
-                if self.moved(way, side)?.1[0] != self.values[0] {
-                    return Ok(false);
-                }
-            }
-        }
-        Ok(true)
     }
 }
 
