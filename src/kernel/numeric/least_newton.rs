@@ -12,7 +12,7 @@ use super::{
 };
 use crate::tolerance::{
     LEAST_GAIN_RELATIVE, LEAST_NEARNESS, LEAST_NEWTON_BEND, LEAST_NEWTON_REACH,
-    LEAST_PLACE_RELATIVE, LEAST_PROBE_RELATIVE,
+    LEAST_PLACE_RELATIVE, LEAST_PROBE_RELATIVE, LEAST_STEP_RELATIVE,
 };
 
 /// The share of a promised fall by which a step of Newton's method may miss that and keep its promise.
@@ -42,7 +42,10 @@ where
         }
         let slope = dot(&gradients[0], &way);
         let reach = magnitude(&way);
-        if !self.is_lower(self.merit(&self.values) + 0.5 * slope, reach) {
+        let mut parts = way.iter().zip(&self.place).zip(&self.units);
+        let is_still =
+            parts.all(|((way, x), unit)| (way * unit).abs() <= LEAST_STEP_RELATIVE * x.abs());
+        if is_still || !self.is_lower(self.merit(&self.values) + 0.5 * slope, reach) {
             return Ok(false);
         }
         let bend_between = |i: usize, j: usize| -> f64 {
@@ -111,6 +114,7 @@ pub(super) fn even_out(ways: &mut [Vec<f64>], curvature: &mut [Vec<f64>]) -> Vec
 
 #[cfg(test)]
 mod tests {
+    use super::super::{least_beside::axis, quadratic_program::dot};
     use crate::{Answers, ConstrainedLeast, LeastEnd, LeastProblem};
 
     const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -160,6 +164,58 @@ mod tests {
             let found = found(quartics, &vec![50.0; n]);
             assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
             assert!(found.values[0] < 1e-24 && found.n_evaluations < 400, "{found:?}");
+        }
+    }
+
+    /// The sum of the magnitudes of sums of unknowns, each with what is taken off it, and of a number.
+    fn kinked(terms: &[(Vec<f64>, f64)], rest: f64, start: &[f64]) -> ConstrainedLeast {
+        let answers = |x: &[f64], _| {
+            let (mut value, mut slopes) = (rest, vec![0.0; x.len()]);
+            for (shares, off) in terms {
+                let term = dot(shares, x) - off;
+                let side = if term < 0.0 { -1.0 } else { 1.0 };
+                value += term.abs();
+                slopes.iter_mut().zip(shares).for_each(|(slope, share)| *slope += side * share);
+            }
+            // Without slopes on kinks themselves.
+            let is_on_kink = terms.iter().any(|(shares, off)| (dot(shares, x) - off).abs() <= 0.0);
+            let gradients = (!is_on_kink).then(|| vec![slopes]);
+            Ok::<_, ()>(Answers { values: vec![value], gradients })
+        };
+        LeastProblem { start, bounds: &vec![FREE; start.len()], n_equations: 0 }
+            .find(answers)
+            .expect("no failure")
+    }
+
+    #[test]
+    fn kinks_are_come_to_in_few_steps_whether_the_least_value_is_zero_or_not() {
+        for (n, most) in [(5, 570), (6, 700), (8, 870), (12, 1230), (30, 2580)] {
+            let start: Vec<f64> = (0..n).map(|k| 3.0 + k as f64).collect();
+            let terms: Vec<(Vec<f64>, f64)> = (0..n).map(|k| (axis(n, k), k as f64)).collect();
+            for rest in [0.0, 1.0] {
+                let found = kinked(&terms, rest, &start);
+                assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
+                assert!(found.values[0] - rest < 1e-9, "{found:?}");
+                assert!(found.n_evaluations <= most, "{n} {rest}: {}", found.n_evaluations);
+            }
+        }
+    }
+
+    #[test]
+    fn chains_of_kinks_are_come_to_their_ends() {
+        for (n, most) in [(5, 660), (6, 1300), (7, 890), (12, 1410), (20, 2170), (30, 5790)] {
+            let start: Vec<f64> = (0..n).map(|k| 3.0 + k as f64).collect();
+            let step = |k: usize| -> Vec<f64> {
+                let before = if k == 0 { vec![0.0; n] } else { axis(n, k - 1) };
+                axis(n, k).iter().zip(&before).map(|(here, before)| here - before).collect()
+            };
+            let terms: Vec<(Vec<f64>, f64)> = (0..n).map(|k| (step(k), 0.0)).collect();
+            for rest in [0.0, 1.0] {
+                let found = kinked(&terms, rest, &start);
+                assert_eq!(found.end, LeastEnd::Settled, "{found:?}");
+                assert!(found.values[0] - rest < 1e-9, "{found:?}");
+                assert!(found.n_evaluations <= most, "{n} {rest}: {}", found.n_evaluations);
+            }
         }
     }
 }
