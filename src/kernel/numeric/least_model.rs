@@ -121,9 +121,19 @@ impl CurvatureModel {
         self.is_fresh
     }
 
+    /// The step of the model, which begins anew where it is of no use any more. `None` where that serves nothing either.
+    pub(super) fn renewed_step(&mut self, terms: &Terms<'_>) -> Option<ModelStep> {
+        let step = self.step(terms);
+        if step.is_some() || self.is_fresh {
+            return step;
+        }
+        *self = Self::new(self.matrix.len());
+        self.step(terms)
+    }
+
     /// The step to where the model is least. Where the linear conditions contradict one another, they are
     /// relaxed together by as little as serves. `None` where the model is of no use any more.
-    pub(super) fn step(&self, terms: &Terms<'_>) -> Option<ModelStep> {
+    fn step(&self, terms: &Terms<'_>) -> Option<ModelStep> {
         let n_conditions = terms.values.len() - 1;
         let conditions = terms.conditions(terms.values);
         // Conditions that contradict one another by less than what holds are taken as they are.

@@ -177,13 +177,7 @@ where
             let n_equations = self.problem.n_equations;
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
-            let Some(step) = model.step(&terms) else {
-                if model.is_fresh() {
-                    return self.ended(gradients);
-                }
-                model = CurvatureModel::new(n);
-                continue;
-            };
+            let Some(step) = model.renewed_step(&terms) else { return self.ended(gradients) };
             if magnitude(&step.way) <= LEAST_STEP_RELATIVE * self.bend_reach {
                 return self.ended(gradients);
             }
