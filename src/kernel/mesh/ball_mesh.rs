@@ -7,8 +7,8 @@ use super::{
     ball::Ball,
     ball_rows::{BallRow, RowEnd, RowLayout},
     seam::Vertices,
-    stitch::{Stitcher, StripVertex},
-    surface_patch::SurfacePatch,
+    stitch::{Stitcher, StripVertex, rounding_of, stitched},
+    surface_patch::{Cells, SurfacePatch},
 };
 use crate::{Direction, GeomError, frame::unit};
 
@@ -19,12 +19,33 @@ const NARROWER: f64 = 0.98;
 /// Where rows begin behind an edge, in steps, in turns.
 const OFFSETS: [f64; 2] = [0.25, 0.75];
 
+/// The mesh of a sheet whose edges have these vertices: of a ball in rows, if such keep to the tolerance, else a grid.
+///
+/// # Errors
+/// Those of [`stitched`].
+pub(super) fn meshed(
+    sheet: &SurfacePatch<'_>,
+    cells: &Cells,
+    edges: &[Vertices; 4],
+    most: usize,
+) -> Result<Mesh, GeomError> {
+    let n_cells = cells.lines.iter().map(|lines| lines.len() - 1).fold(1, usize::saturating_mul);
+    // Of too many the grid tells.
+    if let Some(ball) = cells.ball().filter(|_| n_cells <= most) {
+        let found = ball_mesh(sheet, ball, (edges, rounding_of(edges)), 2 * n_cells)?;
+        if let Some(mesh) = found {
+            return Ok(mesh);
+        }
+    }
+    stitched(sheet, cells, edges, most)
+}
+
 /// The mesh of a ball whose edges have these vertices, with fewer than `fewer` triangles; none where no layout is within
 /// the tolerance.
 ///
 /// # Errors
 /// That the work was ended.
-pub(super) fn ball_mesh(
+fn ball_mesh(
     sheet: &SurfacePatch<'_>,
     ball: &Ball,
     (edges, rounding): (&[Vertices; 4], f64),

@@ -6,9 +6,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{
-    Mesh, ball_mesh::ball_mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch,
-};
+use super::{Mesh, seam::Vertices, surface_patch::Cells, surface_patch::SurfacePatch};
 use crate::{
     Bounds, CountError, Direction, GeomError, Interval, Side,
     tolerance::{PLACE_RELATIVE, VANISHING_RELATIVE},
@@ -56,7 +54,7 @@ pub(super) struct Stitcher<'a, 's> {
     rounding: f64,
 }
 
-/// The mesh of a sheet whose edges have these vertices.
+/// The mesh of a sheet whose edges have these vertices, as a grid.
 ///
 /// # Errors
 /// Those of [`SurfacePatch::point_at`]; [`CountError::TooManyVertices`].
@@ -83,16 +81,7 @@ pub(super) fn stitched(
     if most.min(u32::MAX as usize) < got {
         return Err(CountError::TooManyVertices { got, most }.into());
     }
-    let corners = edges.iter().flatten().map(|&(_, point)| point);
-    let magnitude = Bounds::of(corners).map_or(0.0, Bounds::magnitude);
-    let rounding = VANISHING_RELATIVE * magnitude;
-    if let Some(ball) = cells.ball() {
-        let fewer = 2 * (cells.lines[0].len() - 1) * (cells.lines[1].len() - 1);
-        if let Some(mesh) = ball_mesh(sheet, ball, (edges, rounding), fewer)? {
-            return Ok(mesh);
-        }
-    }
-    let mut stitcher = Stitcher { lines, ..Stitcher::new(sheet, rounding) };
+    let mut stitcher = Stitcher { lines, ..Stitcher::new(sheet, rounding_of(edges)) };
     if is_open_u || is_open_v {
         stitcher.bridge(if is_open_u { Direction::U } else { Direction::V }, edges);
     } else {
@@ -100,6 +89,12 @@ pub(super) fn stitched(
         stitcher.strips(edges);
     }
     Ok(stitcher.mesh.without_strays())
+}
+
+/// A length that is rounding where edges have these vertices.
+pub(super) fn rounding_of(edges: &[Vertices; 4]) -> f64 {
+    let corners = edges.iter().flatten().map(|&(_, point)| point);
+    VANISHING_RELATIVE * Bounds::of(corners).map_or(0.0, Bounds::magnitude)
 }
 
 /// Along which direction an edge runs: the first two run along v, at the start and the end of u.

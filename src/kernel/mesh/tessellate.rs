@@ -2,17 +2,17 @@
 //!
 //! `bend` bounds the derivatives of a surface, `cell_bounds` makes of them the cells that a mesh may
 //! have, `steps` lays lines through the parameters that keep to these, `seam` divides the edges, and
-//! `stitch` makes the triangles of each `surface_patch`.
+//! `ball_mesh` makes the triangles of each `surface_patch`, of all but balls as `stitch` does.
 
 use glam::DVec3;
 
 use super::{
     Mesh, MeshError, TessellationOptions,
+    ball_mesh::meshed,
     cell_bounds::CellBounds,
     chord::chord_deviation,
     passing::cells_and_vertices,
     seam::{SharedEdges, Vertices},
-    stitch::stitched,
     surface_patch::{Cells, SurfacePatch},
 };
 use crate::{
@@ -144,7 +144,7 @@ fn meshes_of(
     loop {
         GeomError::go_on(1)?;
         let meshes = side_by_side::map(&numbers, n_threads, |&i| {
-            stitched(&sheets[i], &cells[i], &edges[i], max_vertices)
+            meshed(&sheets[i], &cells[i], &edges[i], max_vertices)
         });
         let meshes = meshes.into_iter().collect::<Result<Vec<Mesh>, GeomError>>()?;
         round += 1;
