@@ -87,12 +87,22 @@ export class Document {
   private pictured = -1;
   private awaiting: { after: number; done: () => void }[] = [];
 
-  constructor(
-    readonly door: Door,
-    forgotten: (key: string) => void,
-  ) {
-    this.keeper = new Keeper(door, forgotten);
+  /** The first state, where it is fetched before anybody follows. */
+  private ahead: Promise<State> | null = null;
+
+  constructor(readonly door: Door) {
+    this.keeper = new Keeper(door);
     this.choices.follow(() => void this.complete());
+  }
+
+  /** Fetches the first state and its items before anybody follows; what fails is asked for again then. */
+  fetchAhead(): void {
+    const fetched = this.door.state().then(async (state) => {
+      await this.keeper.gather(state.items.filter((item) => this.isVisible(item))).catch(() => {});
+      return state;
+    });
+    fetched.catch(() => {});
+    this.ahead = fetched;
   }
 
   /** Asks for the first state and begins to follow the door. */
@@ -221,7 +231,9 @@ export class Document {
     try {
       while (this.isStale) {
         this.isStale = false;
-        const state = await this.door.state();
+        const { ahead } = this;
+        this.ahead = null;
+        const state = await (ahead ?? this.door.state());
         if (!this.isOnline.value) this.isOnline.set(true);
         // What was told meanwhile is this very state, or one that it has overtaken.
         if (this.told <= state.version && this.told >= 0) this.isStale = false;

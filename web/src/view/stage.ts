@@ -87,6 +87,7 @@ export class Stage {
     this.painter = new Painter(canvas);
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
+    this.painter.prepare(new Group().add(this.grid.mesh.clone(), ...this.overlays.firsts()), this.rig.camera);
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.resize();
