@@ -72,8 +72,8 @@ export class Document {
   readonly ghost = new Signal<Ghost | null>(null);
   readonly message = new Signal<{ text: string; isTrouble: boolean } | null>(null);
   readonly keeper: Keeper;
-  /** When the newest state was told, arrived, had all its buffers, and was in the scene. */
-  readonly times = { event: 0, state: 0, buffers: 0, scene: 0 };
+  /** When the newest state was told, arrived, and had all its buffers. */
+  readonly times = { event: 0, state: 0, buffers: 0 };
   private loaded = -1;
   /** The version that the door told last. */
   private told = -1;
@@ -245,7 +245,6 @@ export class Document {
           if (this.told === state.version) this.isStale = false;
           this.state.set(state);
           this.scene.set({ state, buffers });
-          this.times.scene = now();
           this.pin();
           this.list();
         } catch (trouble) {
