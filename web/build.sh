@@ -6,8 +6,10 @@ out=${1:-dist}
 [ -d node_modules ] || npm ci --no-audit --no-fund
 mkdir -p "$out"
 esbuild=node_modules/.bin/esbuild
-"$esbuild" src/main.ts --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=eof \
-    --log-level=warning --outfile="$out/app.js"
+for entry in begin:begin main:app; do
+    "$esbuild" "src/${entry%:*}.ts" --bundle --minify --format=iife --target=es2022 --charset=utf8 --legal-comments=eof \
+        --log-level=warning --outfile="$out/${entry#*:}.js"
+done
 "$esbuild" src/style/main.css --bundle --minify --target=chrome111,firefox113,safari16.4 --charset=utf8 --legal-comments=eof \
     --log-level=warning --outfile="$out/app.css"
 # three.js keeps its notice in a comment; three-mesh-bvh only in a file.
@@ -20,4 +22,4 @@ esbuild=node_modules/.bin/esbuild
     echo '*/'
 } >>"$out/app.js"
 cp src/index.html "$out/index.html"
-gzip -9nf "$out/app.js" "$out/app.css"
+gzip -9nf "$out/begin.js" "$out/app.js" "$out/app.css"

@@ -219,6 +219,7 @@ createServer(async (request, response) => {
   }
   if (path === "/") return send("text/html", readFileSync(new URL("index.html", folder)));
   if (path === "/app.js") return send("text/javascript", readFileSync(new URL("app.js.gz", folder)), { "Content-Encoding": "gzip" });
+  if (path === "/begin.js") return send("text/javascript", readFileSync(new URL("begin.js.gz", folder)), { "Content-Encoding": "gzip" });
   if (path === "/app.css") return send("text/css", readFileSync(new URL("app.css.gz", folder)), { "Content-Encoding": "gzip" });
   if (path === "/api/state") return send("application/json", JSON.stringify(state()));
   if (path.startsWith("/api/item/")) {

@@ -8,7 +8,7 @@ node_modules/.bin/tsc --noEmit
 fresh=$(mktemp -d)
 trap 'rm -rf "$fresh"' EXIT
 ./build.sh "$fresh"
-for file in index.html app.js.gz app.css.gz; do
+for file in index.html begin.js.gz app.js.gz app.css.gz; do
     cmp "$fresh/$file" "dist/$file" || { echo "web/dist/$file is not what the sources make: run web/build.sh and commit it" >&2; exit 1; }
 done
 node --test test/*.test.mjs

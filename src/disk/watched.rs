@@ -9,6 +9,8 @@ use std::{
 
 /// How long the script may be gone before that is told: editors put a new file in the place of the old.
 const MOST_GONE: Duration = Duration::from_millis(24);
+/// How long a file that has just changed stays as it is before it counts as written.
+const REST: Duration = Duration::from_millis(2);
 
 /// What tells that which is at a path from what was there before.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,6 +79,12 @@ impl WatchedFiles {
         });
         self.seen = known.first().cloned().into_iter().chain(followed).collect();
         self.last = self.seen.iter().map(|(_, mark)| mark.clone()).collect();
+    }
+
+    /// When to look again, who looks that often else: sooner where something has changed.
+    pub(crate) fn pause(&self, tick: Duration) -> Duration {
+        let is_settled = self.seen.iter().zip(&self.last).all(|((_, seen), last)| seen == last);
+        if is_settled { tick } else { tick.min(REST) }
     }
 
     /// What happened since the script was carried out last.

@@ -18,7 +18,7 @@ struct BuiltFile {
     is_zipped: bool,
 }
 
-const FILES: [BuiltFile; 3] = [
+const FILES: [BuiltFile; 4] = [
     BuiltFile {
         address: "/",
         name: "index.html",
@@ -38,6 +38,13 @@ const FILES: [BuiltFile; 3] = [
         name: "app.css",
         kind: "text/css; charset=utf-8",
         bytes: include_bytes!("../../web/dist/app.css.gz"),
+        is_zipped: true,
+    },
+    BuiltFile {
+        address: "/begin.js",
+        name: "begin.js",
+        kind: "text/javascript; charset=utf-8",
+        bytes: include_bytes!("../../web/dist/begin.js.gz"),
         is_zipped: true,
     },
 ];
@@ -71,6 +78,8 @@ pub(super) fn file(address: &str) -> Option<Response> {
 const STYLE: &str = r#"<link rel="stylesheet" href="app.css">"#;
 const DATA: &str = "<!-- virote-data -->";
 const CODE: &str = r#"<script src="app.js" defer></script>"#;
+/// What fetches the model while the code is read.
+const BEGINNING: &str = r#"<script src="begin.js" async></script>"#;
 
 /// The page with a state and the bytes of its items, as one file that asks nobody.
 pub(super) fn single(state: &Json, items: &[(String, Arc<Vec<u8>>)]) -> String {
@@ -80,11 +89,11 @@ pub(super) fn single(state: &Json, items: &[(String, Arc<Vec<u8>>)]) -> String {
     // Nothing in it ends the element that it stands in.
     let data = data.replace('<', "\\u003c");
     let data = format!(r#"<script type="application/json" id="virote-data">{data}</script>"#);
-    let [page, code, style] = FILES.each_ref().map(BuiltFile::content);
+    let [page, code, style, _] = FILES.each_ref().map(BuiltFile::content);
     let page = String::from_utf8_lossy(&page.0).into_owned();
     let page = page.replacen(STYLE, &element("style", style), 1);
     let page = page.replacen(CODE, &element("script", code), 1);
-    page.replacen(DATA, &data, 1)
+    page.replacen(BEGINNING, "", 1).replacen(DATA, &data, 1)
 }
 
 /// An element with the text of a file; where that is compressed, what takes it apart in the browser.

@@ -38,6 +38,6 @@ pub(super) fn watch(
             FileChange::Saved(_) | FileChange::Gone(_) => hub.files_changed(),
         }
         hub.hurry();
-        thread::sleep(TICKS[usize::from(!hub.has_listeners())]);
+        thread::sleep(watched.pause(TICKS[usize::from(!hub.has_listeners())]));
     }
 }

@@ -8,6 +8,8 @@ mod golden_folders;
 mod looks;
 mod lsp;
 mod pictures;
+#[cfg(unix)]
+mod placements;
 mod repl;
 mod repl_in_part;
 mod safety;

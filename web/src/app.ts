@@ -1,9 +1,10 @@
 // Puts the page together: document, picture, panels, and the commands that work on them.
 
 import { type Command, listenToKeys } from "./commands";
-import type { Door, State } from "./door/door";
+import type { Begun } from "./begun";
+import type { State } from "./door/door";
 import { DeviationMap } from "./model/deviation";
-import { Document, type Hit } from "./model/document";
+import type { Document, Hit } from "./model/document";
 import { NARROW, SettingsSignal, type Shade } from "./model/settings";
 import { ClaimsPanel, diagnosticsPanel } from "./panels/claims";
 import { copy, el, say } from "./panels/dom";
@@ -26,42 +27,61 @@ const ANALYSES: Shade[] = ["plain", "zebra", "isophotes", "gauss", "mean", "k1",
 const STEP = 40;
 
 /** Milliseconds after which what stands around the picture is there without one too. */
-const UNVEILED = 1000;
+const BARE = 1000;
 
 export class App {
   readonly settings = new SettingsSignal();
   readonly doc: Document;
   readonly stage: Stage;
-  readonly canvas = el("canvas", { class: "canvas", "aria-label": "The model", tabindex: "0" });
-  readonly tree: TreePanel;
-  /** Resolves once the first picture is there, or has been waited for long enough. */
+  readonly canvas: HTMLCanvasElement;
+  /** Resolves once the first picture is there, or has been waited for long enough, and with it what stands around it. */
   readonly shown: Promise<void>;
-  private readonly help: HTMLDialogElement;
+  isShown = false;
+  private tree: TreePanel | null = null;
+  private help: HTMLDialogElement | null = null;
   private readonly dark = matchMedia("(prefers-color-scheme: dark)");
   private hovering = 0;
-  private readonly view = el("main", { class: "view" }, this.canvas);
+  private readonly view: HTMLElement;
+  private readonly bar = el("header", { class: "bar" });
+  private readonly left = el("aside", { class: "panel left" });
+  private readonly right = el("aside", { class: "panel right" });
 
   /** `more` are commands of the page around the model. */
-  constructor(door: Door, host: HTMLElement, more: Command[] = []) {
-    this.doc = new Document(door, (key) => this.stage.forget(key));
-    const { doc, settings } = this;
-    // The first state is under way while the picture is prepared.
+  constructor({ doc, canvas }: Begun, host: HTMLElement, more: Command[] = []) {
+    this.doc = doc;
+    this.canvas = canvas;
+    this.view = el("main", { class: "view" }, canvas);
+    const { settings, left, right } = this;
+    const work = el("div", { class: "work" }, left, this.view, right);
+    host.append(this.bar, work);
+    settings.watch(({ leftPanel, rightPanel }) => {
+      left.hidden = !leftPanel;
+      right.hidden = !rightPanel;
+    });
     doc.start();
     const deviation = new DeviationMap(doc, settings);
-    this.stage = new Stage(this.canvas, doc, settings, deviation);
-    const { stage } = this;
+    this.stage = new Stage(canvas, doc, settings, deviation);
+    doc.keeper.forgotten = (key) => this.stage.forget(key);
+    new ResizeObserver(() => settings.suit(work.clientWidth)).observe(work);
+    this.dark.addEventListener("change", () => this.dress());
+    settings.watch(() => this.dress());
+    this.followPointer();
+    doc.scene.follow(() => this.askAgain());
+    this.shown = this.surround(host, deviation, more);
+  }
+
+  /** Puts around the first picture what stands there, for which it would wait otherwise. */
+  private async surround(host: HTMLElement, deviation: DeviationMap, more: Command[]): Promise<void> {
+    const { doc, stage, settings } = this;
+    await this.pictured();
+    const commands = [...this.commands(), ...more];
     this.tree = new TreePanel(doc, stage);
-    const parameters = new ParameterPanel(doc);
     const look = new LookPanel(doc, stage, settings, deviation);
     const facts = new FactsPanel(doc);
     const claims = new ClaimsPanel(doc);
-    const commands = [...this.commands(), ...more];
-    const toolbar = new Toolbar(doc, settings, commands);
     this.help = helpSheet(commands);
-    const left = el("aside", { class: "panel left" }, this.tree.section.root, parameters.section.root);
-    const right = el(
-      "aside",
-      { class: "panel right" },
+    this.left.append(this.tree.section.root, new ParameterPanel(doc).section.root);
+    this.right.append(
       look.section.root,
       look.cutSection.root,
       facts.section.root,
@@ -79,19 +99,25 @@ export class App {
       diagnosticsPanel(doc),
     );
     this.view.append(overlay(doc, stage, settings), front);
-    const work = el("div", { class: "work" }, left, this.view, right);
-    host.append(toolbar.root, work, this.help);
-    new ResizeObserver(() => settings.suit(work.clientWidth)).observe(work);
-    this.shown = this.unveil(toolbar.root, left, right, front);
-    settings.watch(({ leftPanel, rightPanel }) => {
-      left.hidden = !leftPanel;
-      right.hidden = !rightPanel;
-    });
-    this.dark.addEventListener("change", () => this.dress());
-    settings.watch(() => this.dress());
+    this.bar.replaceWith(new Toolbar(doc, settings, commands).root);
+    host.append(this.help);
     listenToKeys(commands);
-    this.followPointer();
-    doc.scene.follow(() => this.askAgain());
+    this.isShown = true;
+    // Marks and scales follow frames.
+    stage.ask();
+  }
+
+  /** Resolves with the first picture, or once it has been waited for long enough. */
+  private pictured(): Promise<void> {
+    const { afterFrame } = this.stage;
+    return new Promise((done) => {
+      const first = (): void => {
+        afterFrame.delete(first);
+        requestAnimationFrame(() => done());
+      };
+      afterFrame.add(first);
+      setTimeout(done, BARE);
+    });
   }
 
   /** Asks the door for the exact answer at a hit; the answer to an older question is dropped. */
@@ -166,21 +192,6 @@ export class App {
     });
   }
 
-  /** Shows these after the first picture, which would wait until they are painted. */
-  private async unveil(...veiled: HTMLElement[]): Promise<void> {
-    const show = (isShown: boolean): void => veiled.forEach((one) => (one.style.visibility = isShown ? "" : "hidden"));
-    show(false);
-    await new Promise<void>((done) => {
-      const first = (): void => {
-        this.stage.afterFrame.delete(first);
-        requestAnimationFrame(() => done());
-      };
-      this.stage.afterFrame.add(first);
-      setTimeout(done, UNVEILED);
-    });
-    show(true);
-  }
-
   /** Puts the theme onto the page and the picture. */
   private dress(): void {
     const { theme } = this.settings.value;
@@ -189,7 +200,7 @@ export class App {
     if (document.documentElement.dataset.theme === name) return;
     document.documentElement.dataset.theme = name;
     this.stage.setPalette(isDark);
-    this.tree.draw();
+    this.tree?.draw();
   }
 
   /** What an empty canvas says. */
@@ -208,7 +219,7 @@ export class App {
   private toast(): HTMLElement {
     const root = el("div", { class: "toast", role: "status", hidden: true });
     let timer = 0;
-    this.doc.message.follow((message) => {
+    this.doc.message.watch((message) => {
       clearTimeout(timer);
       root.hidden = message === null;
       if (!message) return;
@@ -341,7 +352,7 @@ export class App {
     const group = "Model";
     const isPossible = (): boolean => doc.selection.value.size > 0;
     return [
-      { id: "find", title: "Find a definition", keys: ["/"], group, run: () => (settings.put({ leftPanel: true }), this.tree.find.focus()) },
+      { id: "find", title: "Find a definition", keys: ["/"], group, run: () => (settings.put({ leftPanel: true }), this.tree?.find.focus()) },
       { id: "hide", title: "Hide the selection", keys: ["h"], group, isPossible, run: () => (doc.show(doc.selection.value, false), doc.select([])) },
       { id: "show-all", title: "Show all", keys: ["Shift+h"], group, run: () => doc.show(doc.items().map((item) => item.path), true) },
       { id: "isolate", title: "Isolate the selection", keys: ["l"], group, icon: "isolate", isPossible, run: () => doc.isolate(doc.selection.value) },
@@ -361,7 +372,7 @@ export class App {
       { id: "right-panel", title: "Analysis and claims", keys: ["]"], group, icon: "right", isOn: () => settings.value.rightPanel, run: () => this.togglePanel("rightPanel", "leftPanel") },
       { id: "photo", title: "Save a picture (PNG)", keys: ["s"], group, icon: "photo", run: () => savePicture(this) },
       { id: "theme", title: "Light or dark", keys: ["t"], group, icon: "theme", run: () => settings.put({ theme: document.documentElement.dataset.theme === "dark" ? "light" : "dark" }) },
-      { id: "help", title: "All keys", keys: ["?"], group, icon: "help", run: () => (this.help.open ? this.help.close() : this.help.showModal()) },
+      { id: "help", title: "All keys", keys: ["?"], group, icon: "help", run: () => (this.help?.open ? this.help.close() : this.help?.showModal()) },
     ];
   }
 

@@ -1,20 +1,14 @@
-// Begins: finds the door, builds the page, and tells tests what they may read.
+// Builds the page around what has begun, and tells tests what they may read.
 
 import { App } from "./app";
-import { EmbeddedDoor } from "./door/embedded";
-import { HttpDoor } from "./door/http";
+import { begin } from "./begun";
 import { followEditor } from "./editor";
 import { el } from "./panels/dom";
 import { expose } from "./virote";
 
-/** The token that the server put into the address. */
-function token(): string {
-  return new URLSearchParams(location.search).get("token") ?? "";
-}
-
 const host = document.getElementById("app")!;
 try {
-  const app = new App(EmbeddedDoor.find() ?? new HttpDoor(token()), host);
+  const app = new App(begin(), host);
   expose(app);
   followEditor(app.doc, app.stage);
 } catch (trouble) {

@@ -59,7 +59,7 @@ export function expose(app: App): void {
     },
     get isReady() {
       // What was told last may still wait for its buffers.
-      return drawn > 0 && drawn >= doc.version && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
+      return app.isShown && drawn > 0 && drawn >= doc.version && drawn === doc.listed.value?.version && drawn === doc.state.value?.version && !doc.isBusy.value;
     },
     get isSmooth() {
       return stage.isSmooth;

@@ -8,7 +8,7 @@
 //!
 //! Of pieces that a cell touches together each second derivative counts where it is largest.
 
-use std::{f64::consts::PI, ops::Range, sync::Arc};
+use std::{collections::BTreeMap, f64::consts::PI, ops::Range, sync::Arc};
 
 use glam::DVec3;
 
@@ -221,16 +221,34 @@ impl CellBounds {
         });
         let mut is_faulty = [vec![false; widths[0].len()], vec![false; widths[1].len()]];
         let [faulty_rows, faulty_columns] = &mut is_faulty;
+        let kinds = self.alike.kinds(Direction::U);
+        let mut alike: BTreeMap<&[usize], Vec<&(f64, Range<usize>)>> = BTreeMap::new();
+        for step in &steps_u {
+            alike.entry(&kinds[step.1.clone()]).or_default().push(step);
+        }
         let mut room = Vec::new();
-        for (height, rows) in &steps_u {
-            // Whoever asked looks at that as well.
-            if !work::goes_on(1) {
-                return false;
+        for mut steps in alike.into_values() {
+            let mut faults = |(height, rows): &(f64, Range<usize>)| {
+                self.rules.faults(rows, *height, &steps_v, &mut room)
+            };
+            steps.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let (lowest, highest) = (steps[0], steps[steps.len() - 1]);
+            // What a row breaks a higher one of alike pieces breaks as well.
+            let mut found = faults(lowest);
+            let is_of_all = lowest.0 == highest.0 || found == faults(highest);
+            for step in steps {
+                // Whoever asked looks at that as well.
+                if !work::goes_on(1) {
+                    return false;
+                }
+                if !is_of_all {
+                    found = faults(step);
+                }
+                for columns in &found {
+                    faulty_rows[step.1.clone()].fill(true);
+                    faulty_columns[columns.clone()].fill(true);
+                }
             }
-            self.rules.faults(rows, *height, &steps_v, &mut room, |columns| {
-                faulty_rows[rows.clone()].fill(true);
-                faulty_columns[columns.clone()].fill(true);
-            });
         }
         for (widths, is_faulty) in widths.iter_mut().zip(&is_faulty) {
             for (width, _) in widths.iter_mut().zip(is_faulty).filter(|(_, is_faulty)| **is_faulty)

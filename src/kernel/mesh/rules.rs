@@ -98,15 +98,14 @@ impl PieceRules {
         })
     }
 
-    /// Tells of cells, a row of them with the pieces that each touches, which break the rules.
+    /// The pieces touched by those cells of a row that break the rules.
     pub(super) fn faults(
         &self,
         rows: &Range<usize>,
         height: f64,
         steps: &[(f64, Range<usize>)],
         room: &mut Vec<BendRules>,
-        mut is_faulty: impl FnMut(&Range<usize>),
-    ) {
+    ) -> Vec<Range<usize>> {
         // Cells of one row of pieces have this in common.
         if let Some(bends) = &self.bends {
             room.clear();
@@ -117,10 +116,10 @@ impl PieceRules {
                 }
             }
         }
-        for (width, columns) in steps {
+        let is_faulty = |(width, columns): &&(f64, Range<usize>)| {
             // Widths are those that cells of one piece may have.
             if rows.len() + columns.len() <= 2 {
-                continue;
+                return false;
             }
             let widths = [height, *width];
             let is_allowed = self.allow_besides(rows, columns, widths)
@@ -129,10 +128,9 @@ impl PieceRules {
                     let joined = joined.reduce(|joined, other| joined.joined(&other));
                     joined.is_none_or(|joined| joined.allow(bends, rows, columns, widths))
                 });
-            if !is_allowed {
-                is_faulty(columns);
-            }
-        }
+            !is_allowed
+        };
+        steps.iter().filter(is_faulty).map(|(_, columns)| columns.clone()).collect()
     }
 }
 

@@ -315,7 +315,9 @@ fn a_page_of_its_own_holds_the_model() {
     assert!(
         items.iter().all(|item| data["items"][item["key"].as_str().expect("a key")].is_string())
     );
-    assert!(!page.contains("href=\"app.css\"") && !page.contains("src=\"app.js\""));
+    assert!(
+        ["href=\"app.css\"", "src=\"app.js\"", "begin.js"].iter().all(|one| !page.contains(one))
+    );
     assert_eq!(export("model.geo").2, 3, "not over the script");
     for (file, why) in [(".", "it is a folder"), ("-", "not to standard output")] {
         let (_, err, code) = export(file);

@@ -1,6 +1,7 @@
 // The playground: a script that is open, kept, shared and evaluated, with the viewer beside it.
 
 import { App } from "../../src/app";
+import { begunWith } from "../../src/begun";
 import type { Command } from "../../src/commands";
 import { button, copy, el } from "../../src/panels/dom";
 import { begin } from "./begin";
@@ -84,7 +85,7 @@ export class Playground {
       replace: (next) => this.editor.replace(next),
       deliver: (all) => this.deliver(all),
     });
-    const app = new App(door, this.viewer, this.commands());
+    const app = new App(begunWith(door), this.viewer, this.commands());
     if (app.settings.isFirstVisit && this.viewer.clientWidth < ROOM_FOR_PANELS) app.settings.put({ rightPanel: false });
     app.doc.selection.follow((paths) => this.reveal(app, paths));
     this.app = app;

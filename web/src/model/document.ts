@@ -72,8 +72,8 @@ export class Document {
   readonly ghost = new Signal<Ghost | null>(null);
   readonly message = new Signal<{ text: string; isTrouble: boolean } | null>(null);
   readonly keeper: Keeper;
-  /** When the newest state was told, arrived, had all its buffers, and was in the scene. */
-  readonly times = { event: 0, state: 0, buffers: 0, scene: 0 };
+  /** When the newest state was told, arrived, and had all its buffers. */
+  readonly times = { event: 0, state: 0, buffers: 0 };
   private loaded = -1;
   /** The version that the door told last. */
   private told = -1;
@@ -87,12 +87,22 @@ export class Document {
   private pictured = -1;
   private awaiting: { after: number; done: () => void }[] = [];
 
-  constructor(
-    readonly door: Door,
-    forgotten: (key: string) => void,
-  ) {
-    this.keeper = new Keeper(door, forgotten);
+  /** The first state, where it is fetched before anybody follows. */
+  private ahead: Promise<State> | null = null;
+
+  constructor(readonly door: Door) {
+    this.keeper = new Keeper(door);
     this.choices.follow(() => void this.complete());
+  }
+
+  /** Fetches the first state and its items before anybody follows; what fails is asked for again then. */
+  fetchAhead(): void {
+    const fetched = this.door.state().then(async (state) => {
+      await this.keeper.gather(state.items.filter((item) => this.isVisible(item))).catch(() => {});
+      return state;
+    });
+    fetched.catch(() => {});
+    this.ahead = fetched;
   }
 
   /** Asks for the first state and begins to follow the door. */
@@ -221,7 +231,9 @@ export class Document {
     try {
       while (this.isStale) {
         this.isStale = false;
-        const state = await this.door.state();
+        const { ahead } = this;
+        this.ahead = null;
+        const state = await (ahead ?? this.door.state());
         if (!this.isOnline.value) this.isOnline.set(true);
         // What was told meanwhile is this very state, or one that it has overtaken.
         if (this.told <= state.version && this.told >= 0) this.isStale = false;
@@ -233,7 +245,6 @@ export class Document {
           if (this.told === state.version) this.isStale = false;
           this.state.set(state);
           this.scene.set({ state, buffers });
-          this.times.scene = now();
           this.pin();
           this.list();
         } catch (trouble) {

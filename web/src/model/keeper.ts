@@ -16,10 +16,10 @@ export class Keeper {
   private pinned = new Set<string>();
   n_fetched = 0;
 
-  constructor(
-    private readonly door: Door,
-    private readonly forgotten: (key: string) => void,
-  ) {}
+  /** Called with the key of what goes. */
+  forgotten: (key: string) => void = () => {};
+
+  constructor(private readonly door: Door) {}
 
   /** The buffers of all these keys; those that are not here are fetched. */
   async gather(items: Item[]): Promise<Map<string, Buffers>> {

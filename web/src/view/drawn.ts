@@ -1,6 +1,6 @@
 // One item in the picture: its surface, its lines, and the overlays that are switched on.
 
-import { type BufferGeometry, Group, LineSegments, Mesh, Points, type ShaderMaterial } from "three";
+import { BufferGeometry, Group, LineSegments, Mesh, Points, type Object3D, type ShaderMaterial } from "three";
 
 import type { Item } from "../door/door";
 import type { Isocurves } from "../model/isocurves";
@@ -33,6 +33,13 @@ export class Overlays {
   readonly ownLine = lineMaterial(colorless(), CURVE_LINE, 1, 0.00015);
   readonly ownDots = dotMaterial(colorless(), 7);
   readonly ghostLine = lineMaterial(colorless(), 1.25, 0.55);
+
+  /** What nearly every first picture has; its programs are those of what comes, as long as this lives. */
+  private readonly first = surfaceMaterial({ color: colorless(), opacity: 1, hasTint: false, isFlat: false, hasCurvature: false });
+
+  firsts(): Object3D[] {
+    return [new Mesh(new BufferGeometry(), this.first), new Mesh(new BufferGeometry(), this.edge)];
+  }
 
   paint(palette: Palette): void {
     // The two of hair share their uniforms.

@@ -1,9 +1,8 @@
 // Puts a scene onto the canvas: smoothly, or quickly where the renderer is slow and the picture will change again.
-//
-// Smooth edges take a buffer of their own, and not the canvas's, which could not be drawn without them.
 
-import { type Camera, LinearSRGBColorSpace, type Scene, WebGLRenderer, WebGLRenderTarget } from "three";
+import { type Camera, LinearSRGBColorSpace, type Object3D, type Scene, WebGLRenderer, WebGLRenderTarget } from "three";
 
+import { DRAWING } from "../begun";
 import { shared } from "./paint";
 import { writeOutCorners } from "./segments";
 
@@ -50,7 +49,7 @@ export class Painter {
   private smoothTime = LONG;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const renderer = new WebGLRenderer({ canvas, antialias: false, alpha: true, stencil: true, powerPreference: "high-performance" });
+    const renderer = new WebGLRenderer({ canvas, ...DRAWING });
     this.renderer = renderer;
     this.gl = renderer.getContext() as WebGL2RenderingContext;
     renderer.localClippingEnabled = true;
@@ -80,6 +79,11 @@ export class Painter {
   /** Milliseconds for which nothing changes before a smooth frame follows a quick one. */
   get rest(): number {
     return Math.min(REST * this.smoothTime, MOST_REST);
+  }
+
+  /** Begins to make the programs of these, which are made while other things are done. */
+  prepare(scene: Object3D, camera: Camera): void {
+    this.renderer.compile(scene, camera);
   }
 
   resize(width: number, height: number): void {

@@ -29,6 +29,8 @@ import { DARK, LIGHT, type Palette } from "./theme";
 
 /** How long the camera takes to a named view, in milliseconds. */
 const TURN = 260;
+/** Milliseconds from one frame to the next, about. */
+const AT_ONCE = 16;
 /** Share of the model's size that the longest tooth of a comb has at scale 1. */
 const COMB_SHARE = 0.12;
 const NORMAL_SHARE = 0.03;
@@ -55,8 +57,9 @@ export class Stage {
   readonly afterFrame = new Set<() => void>();
   palette: Palette = LIGHT;
   n_frames = 0;
-  /** When the last frame was handed over, and, where somebody wants to know, when it had been drawn. */
-  readonly times = { frame: 0, drawn: 0 };
+  /** When the newest scene stood, when the last frame was handed over, and, where somebody wants to know, when it had been
+   * drawn. */
+  readonly times = { scene: 0, frame: 0, drawn: 0 };
   isTimed = false;
   private readonly painter: Painter;
   private readonly world = new ThreeScene();
@@ -87,11 +90,16 @@ export class Stage {
     this.painter = new Painter(canvas);
     this.world.add(this.grid.mesh, this.models, this.ghosts, this.shell.group, this.caps.group, this.stripeLines.group);
     this.world.matrixWorldAutoUpdate = true;
+    this.painter.prepare(new Group().add(this.grid.mesh.clone(), ...this.overlays.firsts()), this.rig.camera);
     new ResizeObserver(() => this.resize()).observe(canvas);
     canvas.addEventListener("webglcontextrestored", () => this.ask());
     this.resize();
     settings.watch(() => this.restyle());
-    doc.scene.follow(() => this.reconcile());
+    doc.scene.follow(() => {
+      this.reconcile();
+      this.times.scene = now();
+      this.drawSoon();
+    });
     this.exact.follow(() => this.restyle());
     doc.selection.follow(() => this.restyle());
     doc.choices.follow(() => this.restyle());
@@ -107,6 +115,12 @@ export class Stage {
   /** Wants one more frame; where frames take long a quick one, and a smooth one when nothing changes any more. */
   ask(): void {
     if (this.asked === 0) this.asked = requestAnimationFrame(() => this.frame(this.painter.isSlow));
+  }
+
+  /** Draws at once, for the browser to show it next; not behind a frame that it may not have shown yet. */
+  private drawSoon(): void {
+    if (document.hidden || now() - this.times.frame < AT_ONCE) this.ask();
+    else this.frame(this.painter.isSlow);
   }
 
   setPalette(isDark: boolean): void {

@@ -1,0 +1,5 @@
+// Begins while the browser still reads the page's script.
+
+import { begin } from "./begun";
+
+begin();
