@@ -9,9 +9,9 @@ use proptest::{
     prelude::{ProptestConfig, Strategy, prop_assert, prop_assume, proptest},
 };
 use virote_kernel::{
-    Axis, CircleForm, Ends, Frame, Interpolator, Jet, NurbsCurve, NurbsSurface, Parametrization,
-    PointSlopes, Region, RegionWay, Side, Solid, Surface, Tolerance, VariedCurve, VariedRegion,
-    VariedSolid, VariedSurface, interpolate_varied,
+    Axis, CircleForm, CompatibleSections, Ends, Frame, Interpolator, Jet, NurbsCurve, NurbsSurface,
+    Parametrization, PointSlopes, Region, RegionWay, SectionParameters, Side, SkinBuilder, Solid,
+    Surface, Tolerance, VariedCurve, VariedRegion, VariedSolid, VariedSurface, interpolate_varied,
 };
 
 use crate::some;
@@ -128,6 +128,87 @@ proptest! {
         prop_assume!(found.relative_error < 1e-9 && area(0.0).1 < 1e-11);
         let expected = central(|h| area(h).0);
         prop_assert!(is_near(found.slopes[0], expected, area(0.0).0), "{found:?} {expected}");
+    }
+}
+
+/// Sections of a skin, their control points one behind the other.
+const SECTIONS: usize = 5;
+
+/// Control points of each.
+const ACROSS: usize = 4;
+
+/// How each control point moves with an unknown of its own.
+const ALONG: DVec3 = DVec3::new(0.3, 1.0, -0.7);
+
+/// Cubics beside one another, their control points beside those of a grid.
+fn sections(points: &[DVec3]) -> Vec<NurbsCurve> {
+    let place = |idx: usize| {
+        let [i, j] = [idx / ACROSS, idx % ACROSS].map(|k| 3.0 * k as f64);
+        DVec3::new(i, j, 0.0) + 0.1 * points[idx]
+    };
+    let section = |i: usize| (ACROSS * i..ACROSS * (i + 1)).map(place).collect::<Vec<DVec3>>();
+    (0..SECTIONS).map(|i| NurbsCurve::bezier(&section(i)).unwrap()).collect()
+}
+
+/// The skin of these, and where they stand: by a rule, or at places of their own.
+fn skin(points: &[DVec3], rule: Option<SectionParameters>) -> (NurbsSurface, Vec<f64>) {
+    let sections = sections(points);
+    let at = match rule {
+        Some(rule) => CompatibleSections::new(&sections).unwrap().parameters(rule, false).unwrap(),
+        None => vec![0.0, 0.2, 0.5, 0.7, 1.0],
+    };
+    let builder = SkinBuilder::new(sections, Tolerance::DEFAULT).unaligned();
+    (builder.parameters_at(at.clone()).build().unwrap(), at)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+
+    /// Places and first derivatives, by an unknown for each control point of the sections.
+    #[test]
+    fn skins_grow_with_the_control_points_of_their_sections(
+        points in vec(some::point(), SECTIONS * ACROSS),
+        (u, v) in (0.0..1.0, 0.1..0.9),
+    ) {
+        let n = points.len();
+        let vary = |(i, section): (usize, NurbsCurve)| {
+            let one = |j: usize| {
+                let mut own = vec![DVec4::ZERO; ACROSS];
+                own[j] = (0.1 * ALONG).extend(0.0);
+                (ACROSS * i + j, own)
+            };
+            let slopes = PointSlopes::new(n, ACROSS, (0..ACROSS).map(one).collect()).unwrap();
+            Arc::new(VariedCurve::new(Arc::new(section), slopes).unwrap())
+        };
+        let varied: Vec<_> = sections(&points).into_iter().enumerate().map(vary).collect();
+        let [at_u, at_v] = [u, v].map(|t| Jet::with_slopes(t, &vec![0.0; n]).unwrap());
+        let rules =
+            [SectionParameters::Average, SectionParameters::Centripetal, SectionParameters::Places];
+        for rule in rules.map(Some).into_iter().chain([None]) {
+            let (plain, at) = skin(&points, rule);
+            // Not where a piece ends within the step.
+            prop_assume!(plain.knots_v().breaks().iter().all(|knot| 1e-3 < (knot - v).abs()));
+            let plain = Arc::new(plain);
+            let found = VariedSurface::through_sections(&plain, (3, &at, rule), &varied);
+            let found = found.unwrap().expect("slopes by the sections");
+            prop_assert!(found.given() == &plain);
+            let all = found.derivatives_at([&at_u, &at_v], 1).unwrap();
+            for moving in 0..n {
+                let beside = |h: f64| {
+                    let mut points = points.clone();
+                    points[moving] += h * ALONG;
+                    skin(&points, rule).0.derivatives_at(u, v, 1)
+                };
+                let [ahead, behind] = [STEP, -STEP].map(beside);
+                for (k, l) in [(0, 0), (0, 1), (1, 0)] {
+                    let expected = (ahead.get(k, l) - behind.get(k, l)) / (2.0 * STEP);
+                    for axis in 0..3 {
+                        let slope = all[k][l][axis].slopes()[moving];
+                        prop_assert!(is_near(slope, expected[axis], 10.0), "{rule:?} {slope} {expected}");
+                    }
+                }
+            }
+        }
     }
 }
 

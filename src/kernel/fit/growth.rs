@@ -105,20 +105,22 @@ pub(super) fn fixed_slopes_asked(fit: &Interpolator, slopes: &PointSlopes) -> Op
 
 /// How something grows with points: by a factor with each, and by a vector times how the step from each to the next
 /// does, which grows along another one.
-struct PointGrowths {
-    by_value: Vec<f64>,
-    steps: Vec<(DVec3, DVec3)>,
+#[derive(Clone, Debug, Default)]
+pub(super) struct PointGrowths {
+    pub(super) by_value: Vec<f64>,
+    pub(super) steps: Vec<(DVec3, DVec3)>,
 }
 
 impl PointGrowths {
     /// How it grows where one of the points moves.
-    fn with(&self, point: usize, speed: DVec3) -> DVec3 {
+    pub(super) fn with(&self, point: usize, speed: DVec3) -> DVec3 {
         let step = |idx: usize| {
             let own = self.steps.get(idx);
             own.map_or(DVec3::ZERO, |(growth, along)| *growth * along.dot(speed))
         };
         let before = point.checked_sub(1).map_or(DVec3::ZERO, step);
-        self.by_value[point] * speed + before - step(point)
+        let own = self.by_value.get(point).copied().unwrap_or(0.0);
+        own * speed + before - step(point)
     }
 }
 
@@ -166,7 +168,7 @@ fn add_end_values(row: EndRow, is_last: bool, growth: f64, by_value: &mut [f64])
 impl Interpolator {
     /// How a sum of control points with these factors grows with each value by its own equation, and with the right-hand
     /// sides of the conditions at both ends.
-    fn transposed(&self, mut factors: Vec<f64>) -> (Vec<f64>, Vec<(EndRow, f64)>) {
+    pub(super) fn transposed(&self, mut factors: Vec<f64>) -> (Vec<f64>, Vec<(EndRow, f64)>) {
         match &self.equations {
             FactoredEquations::WithEnds(band, [start, end]) => {
                 band.solve_transposed(&mut factors);
@@ -186,7 +188,7 @@ impl Interpolator {
 impl MovingSpline<'_> {
     /// How a sum of control points over the knots that stand twice, with a factor for each, grows with each value and with
     /// each parameter.
-    fn growths(&self, factors: &[f64]) -> (Vec<f64>, Vec<DVec4>) {
+    pub(super) fn growths(&self, factors: &[f64]) -> (Vec<f64>, Vec<DVec4>) {
         let mut own = vec![0.0; self.points.len()];
         for (i, &factor) in factors.iter().enumerate().filter(|(_, factor)| 0.0 < factor.abs()) {
             let (first, parts) = self.point_of_twice(i);

@@ -7,12 +7,12 @@ use glam::{DVec3, DVec4};
 use super::{
     Ends, Interpolator, Parametrization,
     moving::{MovingSpline, SplineSpeeds},
+    section_steps::SectionSteps,
 };
 use crate::{
     Direction, GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters,
     VariedSurface,
-    homogeneous::{place, place_speed},
-    tolerance::{EXACT_RELATIVE, VANISHING_RELATIVE},
+    tolerance::EXACT_RELATIVE,
     varied::knots::{simple_inner, with_knots_twice},
 };
 
@@ -93,9 +93,7 @@ impl VariedSurface {
         let lines: Vec<Vec<DVec4>> =
             net.as_slice().chunks_exact(net.n_columns()).map(section_points).collect();
         let Some(steps) = SectionSteps::new(rule, lines) else { return Ok(None) };
-        let found = steps.parameters();
-        let is_same = found.iter().zip(parameters).all(|(a, b)| (a - b).abs() <= EXACT_RELATIVE);
-        if found.len() != parameters.len() || !is_same {
+        if !steps.are_of(parameters) {
             return Ok(None);
         }
         let mut speeds = Vec::new();
@@ -220,111 +218,6 @@ fn own_lines_twice(
     Ok(all)
 }
 
-/// Steps from section to section along lines of their control points, which tell the parameters by a rule.
-struct SectionSteps {
-    rule: SectionParameters,
-    /// The control points of each line, one for each section.
-    lines: Vec<Vec<DVec4>>,
-    /// Of each step of each line its length as the rule takes it, and how that grows with the way; of none the latter
-    /// is told where both ends are at one place.
-    steps: Vec<Vec<(f64, Option<DVec4>)>>,
-    /// The lengths of the lines that count.
-    wholes: Vec<Option<f64>>,
-    n_counting: f64,
-}
-
-impl SectionSteps {
-    /// Of two sections or more; none of fewer.
-    fn new(rule: SectionParameters, lines: Vec<Vec<DVec4>>) -> Option<Self> {
-        let origin = place(*lines.first()?.first()?);
-        let step = |ends: &[DVec4]| {
-            let [before, behind] = [ends[0], ends[1]].map(|end| rule.measured(origin, end));
-            let leg = behind - before;
-            let length = leg.length();
-            match rule {
-                SectionParameters::Uniform => (1.0, Some(DVec4::ZERO)),
-                _ if length <= 0.0 => (0.0, None),
-                SectionParameters::Average | SectionParameters::Places => {
-                    (length, Some(leg / length))
-                }
-                SectionParameters::Centripetal => {
-                    let root = length.sqrt();
-                    (root, Some(leg / (2.0 * length * root)))
-                }
-            }
-        };
-        let steps: Vec<Vec<_>> =
-            lines.iter().map(|line| line.windows(2).map(step).collect()).collect();
-        let whole = |steps: &Vec<(f64, _)>| steps.iter().map(|(length, _)| length).sum();
-        let wholes: Vec<f64> = steps.iter().map(whole).collect();
-        let longest = wholes.iter().copied().fold(0.0, f64::max);
-        let wholes: Vec<Option<f64>> = wholes
-            .into_iter()
-            .map(|whole| (VANISHING_RELATIVE * longest < whole).then_some(whole))
-            .collect();
-        let n_counting = wholes.iter().flatten().count() as f64;
-        (!steps[0].is_empty()).then_some(Self { rule, lines, steps, wholes, n_counting })
-    }
-
-    fn parameters(&self) -> Vec<f64> {
-        let n_steps = self.steps[0].len();
-        let mut found = vec![0.0];
-        for k in 0..n_steps {
-            let lines = self.steps.iter().zip(&self.wholes);
-            let shares = lines.filter_map(|(steps, whole)| whole.map(|whole| steps[k].0 / whole));
-            found.push(found[k] + shares.sum::<f64>() / self.n_counting);
-        }
-        found
-    }
-
-    /// How fast the parameters move where the control points of some lines do, each with its index; none where a point
-    /// comes away from a neighbour at its place.
-    fn speeds(&self, moving: Vec<(usize, Vec<DVec4>)>) -> Option<Vec<f64>> {
-        let n_sections = self.lines[0].len();
-        let first = self.lines[0][0];
-        let own = moving.first().filter(|(line, _)| *line == 0);
-        let speed_of_origin = own.map_or(DVec3::ZERO, |(_, slopes)| place_speed(first, slopes[0]));
-        let origin = [place(first), speed_of_origin];
-        let moving = if speed_of_origin == DVec3::ZERO {
-            moving
-        } else {
-            // What is told about the origin moves with it.
-            let mut all = vec![vec![DVec4::ZERO; n_sections]; self.lines.len()];
-            moving.into_iter().for_each(|(line, slopes)| all[line] = slopes);
-            all.into_iter().enumerate().collect()
-        };
-        let mut by_step = vec![0.0; n_sections - 1];
-        for (line, slopes) in &moving {
-            let pairs = self.lines[*line].iter().zip(slopes);
-            let speeds: Vec<DVec4> = pairs
-                .map(|(&point, &slope)| self.rule.measured_speed(origin, [point, slope]))
-                .collect();
-            let steps = &self.steps[*line];
-            let mut growths = Vec::with_capacity(steps.len());
-            for ((_, along), ends) in steps.iter().zip(speeds.windows(2)) {
-                let way = ends[1] - ends[0];
-                match along {
-                    Some(along) => growths.push(along.dot(way)),
-                    None if way.length() <= 0.0 => growths.push(0.0),
-                    None => return None,
-                }
-            }
-            let Some(whole) = self.wholes[*line] else { continue };
-            let growth: f64 = growths.iter().sum();
-            for ((sum, own), (length, _)) in by_step.iter_mut().zip(growths).zip(steps) {
-                *sum += (own - length / whole * growth) / whole;
-            }
-        }
-        let mut speeds = vec![0.0];
-        speeds.extend(by_step.iter().scan(0.0, |sum, own| {
-            *sum += own / self.n_counting;
-            Some(*sum)
-        }));
-        speeds[n_sections - 1] = 0.0;
-        Some(speeds)
-    }
-}
-
 impl Parametrization {
     /// How fast the means of the parameters of rows of points move with these: by each variable. None by
     /// [`Parametrization::Foley`], and where points of a row are at one place.
@@ -373,7 +266,7 @@ fn homogeneous_at(knots: &KnotVector, line: &[DVec4], t: f64) -> DVec4 {
     })
 }
 
-fn are_near(a: &[DVec4], b: &[DVec4]) -> bool {
+pub(super) fn are_near(a: &[DVec4], b: &[DVec4]) -> bool {
     let size = b.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
     let pairs = a.iter().zip(b);
     pairs.map(|(a, b)| (a - b).abs().max_element()).fold(0.0, f64::max) <= EXACT_RELATIVE * size

@@ -146,7 +146,12 @@ impl PointSlopes {
 
     /// Whether slopes of so many variables that further points are made of cost less one by one, where they are asked for.
     pub(crate) fn are_asked_rather(&self) -> bool {
-        self.n_points < MANY_POINTS * self.moving().count()
+        Self::are_asked_of(self.n_points, self.moving().count())
+    }
+
+    /// The same of so many points that so many variables move.
+    pub(crate) fn are_asked_of(n_points: usize, n_variables: usize) -> bool {
+        n_points < MANY_POINTS * n_variables
     }
 
     /// Whether the points depend on no variable.

@@ -59,11 +59,15 @@ impl VariedSurface {
     /// The same as the form of a surface whose own knots move; none unless both are one surface.
     #[must_use]
     pub fn of_moving_knots(self, given: Arc<NurbsSurface>) -> Option<Self> {
-        let knots = |surface: &NurbsSurface| [surface.knots_u().clone(), surface.knots_v().clone()];
-        let is_other = knots(&self.surface) != knots(&given);
-        let is_it = !is_other && self.surface.control_points() == given.control_points();
-        (is_it || is_same(&self.surface, &given))
-            .then_some(Self { given: is_other.then_some(given), ..self })
+        let is_it = !has_other_knots(&self.surface, &given)
+            && self.surface.control_points() == given.control_points();
+        (is_it || is_same(&self.surface, &given)).then(|| self.known_of_moving_knots(given))
+    }
+
+    /// The same as the form of a surface whose own knots move, which it is known to be.
+    pub(crate) fn known_of_moving_knots(self, given: Arc<NurbsSurface>) -> Self {
+        let is_other = has_other_knots(&self.surface, &given);
+        Self { given: is_other.then_some(given), ..self }
     }
 
     /// The surface on its own knots: those of [`Self::surface`], unless they move.
@@ -209,6 +213,10 @@ impl VariedSurface {
         }
         Ok(())
     }
+}
+
+fn has_other_knots(a: &NurbsSurface, b: &NurbsSurface) -> bool {
+    a.knots_u() != b.knots_u() || a.knots_v() != b.knots_v()
 }
 
 /// Whether a surface and one on fewer knots are the same, as far as p + 1 by q + 1 places on each patch of the

@@ -105,6 +105,11 @@ fn settled(
     let Value::Surface(Surface::Nurbs(surface)) = &answer else { return Ok(None) };
     let report = surface.report().map(IntoValue::into_value);
     let Some(Value::Record(report)) = report else { return Ok(None) };
+    if let Some(known) = settling.known
+        && let Some(varied) = known(call, surface, &report).at(call.span)?
+    {
+        return Ok(Some(Value::JetSurface(varied.into())));
+    }
     let Some(found) = report.get(settling.parameter) else { return Ok(None) };
     let n_warnings = ctx.caller.n_warnings();
     let mut held = call.clone();

@@ -3,12 +3,17 @@
 //! With the parameters listed the surface grows evenly with what it is made of; what it does when the
 //! parameters move comes on top.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use super::PerDirection;
+use super::{PerDirection, section::SectionPlaces};
 use crate::{
     diag::Span,
-    kernel::{Direction, Ends, GeomError, Grid, Parametrization, SectionParameters, VariedSurface},
+    kernel::{
+        Curve, Direction, Ends, GeomError, Grid, NurbsSurface, Parametrization, SectionParameters,
+        VariedCurve, VariedSurface,
+    },
     ops::curve::fit::moves_knots,
     value::{Call, FromValue, Record, Settling, Value, Vector},
 };
@@ -17,13 +22,19 @@ use crate::{
 pub(super) static SKIN: Settling = Settling {
     parameter: "parameters",
     applies: is_skin_by_rule,
+    known: Some(skin_through_sections),
     held: Some(held_alignment),
     moving: moving_skin,
 };
 
 /// Of a surface through a grid of points by a rule.
-pub(super) static GRID: Settling =
-    Settling { parameter: "parameters", applies: is_grid_by_rule, held: None, moving: moving_grid };
+pub(super) static GRID: Settling = Settling {
+    parameter: "parameters",
+    applies: is_grid_by_rule,
+    known: None,
+    held: None,
+    moving: moving_grid,
+};
 
 /// Sections that run beside one another as they are go on to do so where they move a little.
 fn held_alignment(report: &Record) -> Vec<(&'static str, Value)> {
@@ -62,6 +73,56 @@ pub(super) fn moves(rule: SectionParameters) -> bool {
     rule != SectionParameters::Uniform
 }
 
+/// A skin of sections as they are given, which tell the slopes of its control points.
+fn skin_through_sections(
+    call: &Call,
+    skin: &Arc<NurbsSurface>,
+    report: &Record,
+) -> Result<Option<VariedSurface>, GeomError> {
+    if !is_as_given(report) || !has_only(call, &["sections", "degree", "parameters", "align"]) {
+        return Ok(None);
+    }
+    let rule = match named(call, "parameters", SectionPlaces::By(SectionParameters::Average)) {
+        Some(SectionPlaces::By(rule)) => moves(rule).then_some(rule),
+        Some(SectionPlaces::Listed(_)) => None,
+        None => return Ok(None),
+    };
+    let degree = named(call, "degree", 3_usize);
+    let found = report.get("parameters").map(|found| Vec::from_value(found, Span::default()));
+    let (Some(degree), Some(Ok(found)), Some(sections)) = (degree, found, sections_of(call)?)
+    else {
+        return Ok(None);
+    };
+    VariedSurface::through_sections(skin, (degree, &found, rule), &sections)
+}
+
+/// The sections of a call; none where one of them is no spline, or none varies.
+fn sections_of(call: &Call) -> Result<Option<Vec<Arc<VariedCurve>>>, GeomError> {
+    let Some(Value::List(items)) = first_argument(call, "sections") else { return Ok(None) };
+    let n_variables = items.iter().find_map(|item| match item {
+        Value::JetCurve(varied) => Some(varied.slopes().n_variables()),
+        _ => None,
+    });
+    let Some(n_variables) = n_variables else { return Ok(None) };
+    let mut sections = Vec::with_capacity(items.len());
+    for item in items.iter() {
+        sections.push(match item {
+            Value::JetCurve(varied) => Arc::clone(varied),
+            Value::Curve(Curve::Nurbs(curve)) => {
+                Arc::new(VariedCurve::fixed(Arc::clone(curve), n_variables)?)
+            }
+            _ => return Ok(None),
+        });
+    }
+    Ok(Some(sections))
+}
+
+/// The first argument, by position or by its name.
+fn first_argument<'c>(call: &'c Call, name: &str) -> Option<&'c Value> {
+    let named = || call.named.iter().find(|(own, _)| &*own.value == name).map(|(_, given)| given);
+    call.positional.first().or_else(named).map(|given| &given.value)
+}
+
 fn moving_skin(
     call: &Call,
     fixed: &VariedSurface,
@@ -83,13 +144,8 @@ fn moving_grid(
     fixed: &VariedSurface,
     parameters: &Value,
 ) -> Result<Option<VariedSurface>, GeomError> {
-    let points = call.positional.first().map(|given| &given.value);
-    let points = points.or_else(|| {
-        let named = call.named.iter().find(|(name, _)| &*name.value == "points");
-        named.map(|(_, given)| &given.value)
-    });
-    let rows =
-        points.and_then(|points| Vec::<Vec<Vector>>::from_value(points, Span::default()).ok());
+    let rows = first_argument(call, "points")
+        .and_then(|points| Vec::<Vec<Vector>>::from_value(points, Span::default()).ok());
     let rule = named(call, "parameters", Parametrization::Chord);
     let degree = named(call, "degree", PerDirection { u: 3_usize, v: 3 });
     let ends = named(call, "ends", PerDirection { u: Ends::Bessel, v: Ends::Bessel });
