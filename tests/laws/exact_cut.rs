@@ -7,7 +7,7 @@ use std::{
 
 use virote_kernel::{
     ConicKind, Cutter, Face, FacePart, Frame, GeomError, KnotVector, NurbsCurve, NurbsSurface,
-    Solid, SolidError, Surface,
+    Solid, SolidError, Surface, SurfaceCurve,
     glam::{DAffine3, DVec3},
 };
 
@@ -113,6 +113,28 @@ fn cylinders_and_cones_around_one_sphere_cross_in_exact_conics() {
         if slope == 0.0 {
             // Of two tubes in one another 8r²/sin is on each.
             assert!(((areas[0] + areas[1]) * sine / (8.0 * radius * radius) - 1.0).abs() <= 1e-12);
+        }
+    }
+}
+
+#[test]
+fn conics_that_begin_on_a_seam_have_their_parameters_on_both_cylinders() {
+    let tube = around((DVec3::ZERO, 1.0), DVec3::Z, 0.0, [-3.0, 3.0]);
+    // Both have their seams through places in which the conics meet, or cross them, and none.
+    for axis in [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)] {
+        let other = around((DVec3::ZERO, 1.0), axis, 0.0, [-3.0, 3.0]);
+        let surfaces = [&tube, &other];
+        let found = SurfaceCurve::all(surfaces, TOLERANCE).expect("four curves");
+        assert_eq!(found.len(), 4);
+        for curve in found {
+            assert!(curve.deviation <= TOLERANCE.distance, "{}", curve.deviation);
+            for (surface, on) in surfaces.iter().zip(&curve.on) {
+                for t in curve.curve.domain().steps(40) {
+                    let place = on.point_at(t);
+                    let gap = surface.point_at(place.x, place.y).distance(curve.curve.point_at(t));
+                    assert!(gap <= TOLERANCE.distance, "{gap}");
+                }
+            }
         }
     }
 }

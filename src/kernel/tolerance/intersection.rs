@@ -280,3 +280,8 @@ pub(crate) const COAXIAL_SINE: f64 = 1e-2;
 ///
 /// Larger cuts at junctions what passes them by; smaller searches where rounding alone is in the way.
 pub(crate) const INSCRIBED_SHARE: f64 = 0.5;
+
+/// How far ahead of its start, as a part of a curve, is looked which way its parameters go.
+///
+/// Larger sees where it turns back; smaller does not tell rounding from a way.
+pub(crate) const FIRST_LOOK: f64 = 1e-3;
