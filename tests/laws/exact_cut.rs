@@ -6,8 +6,8 @@ use std::{
 };
 
 use virote_kernel::{
-    ConicKind, Face, FacePart, Frame, GeomError, KnotVector, NurbsCurve, NurbsSurface, Solid,
-    SolidError, Surface,
+    ConicKind, Cutter, Face, FacePart, Frame, GeomError, KnotVector, NurbsCurve, NurbsSurface,
+    Solid, SolidError, Surface, SurfaceCurve,
     glam::{DAffine3, DVec3},
 };
 
@@ -67,6 +67,91 @@ fn a_plane_cuts_a_sphere_in_an_exact_circle_wherever_it_is_turned() {
         assert_eq!(curves.len(), 1);
         assert!(curves[0].degree() == 2 && curves[0].control_points().len() == 9);
         assert_exact(length(&curves), TAU * (4.0 - depth * depth).sqrt());
+    }
+}
+
+/// The part of a cylinder or cone around a sphere that is up to some heights away along an axis from its middle.
+fn around(sphere: (DVec3, f64), axis: DVec3, slope: f64, heights: [f64; 2]) -> NurbsSurface {
+    let (center, radius) = sphere;
+    // The sphere touches the meridian where it comes next to the middle.
+    let in_middle = radius * (1.0 + slope * slope).sqrt();
+    let radii = heights.map(|height| in_middle + slope * height);
+    let frame = Frame::from_normal(center + axis * heights[0], axis, None).expect("a frame");
+    NurbsSurface::cone(frame, radii, heights[1] - heights[0]).expect("a cone")
+}
+
+#[test]
+fn cylinders_and_cones_around_one_sphere_cross_in_exact_conics() {
+    let center = DVec3::new(0.5, -1.0, 2.0);
+    for (i, slope) in (0..12).zip([0.0, 0.2, -0.1].into_iter().cycle()) {
+        let (sine, cosine) = on_circle(0.9 + 0.05 * f64::from(i));
+        let (radius, x) = (1.5, DVec3::new(0.6, 0.8, 0.0));
+        let axis = (DVec3::Z * cosine + x * sine).normalize();
+        let sine = axis.cross(DVec3::Z).length();
+        let tube = around((center, radius), DVec3::Z, 0.0, [-9.0, 9.0]);
+        let other = around((center, radius), axis, slope, [-6.5, 6.5]);
+        let [tube, other] = [tube, other].map(Arc::new);
+        let both = [&tube, &other].map(|surface| Surface::Nurbs(Arc::clone(surface)));
+        let found =
+            both[0].intersections(&both[1], TOLERANCE).expect("two conics that cross twice");
+        assert_eq!(found.curves.len(), 4);
+        for curve in &found.curves {
+            assert_eq!(curve.conic_kind(), Ok(ConicKind::Ellipse));
+            for point in curve.sample(40).into_iter().map(|point| point - center) {
+                let in_middle = radius * (1.0 + slope * slope).sqrt();
+                let from_axis = |axis: DVec3| point.cross(axis).length();
+                let off = from_axis(axis) - in_middle - slope * point.dot(axis);
+                assert!((from_axis(DVec3::Z) - radius).abs() <= 1e-13, "{point}");
+                assert!(off.abs() <= 1e-13, "{point}");
+            }
+        }
+        let parts = whole((*tube).clone()).split(&[Cutter::Surface(other)], TOLERANCE);
+        let mut areas: Vec<f64> =
+            parts.expect("four parts").iter().map(|part| part.mass().unwrap().amount).collect();
+        areas.sort_by(f64::total_cmp);
+        assert_eq!(areas.len(), 4);
+        if slope == 0.0 {
+            // Of two tubes in one another 8r²/sin is on each.
+            assert!(((areas[0] + areas[1]) * sine / (8.0 * radius * radius) - 1.0).abs() <= 1e-12);
+        }
+    }
+}
+
+#[test]
+fn conics_that_begin_on_a_seam_have_their_parameters_on_both_cylinders() {
+    let tube = around((DVec3::ZERO, 1.0), DVec3::Z, 0.0, [-3.0, 3.0]);
+    // Both have their seams through places in which the conics meet, or cross them, and none.
+    for axis in [DVec3::X, DVec3::Y, DVec3::new(0.6, 0.8, 0.0)] {
+        let other = around((DVec3::ZERO, 1.0), axis, 0.0, [-3.0, 3.0]);
+        let surfaces = [&tube, &other];
+        let found = SurfaceCurve::all(surfaces, TOLERANCE).expect("four curves");
+        assert_eq!(found.len(), 4);
+        for curve in found {
+            assert!(curve.deviation <= TOLERANCE.distance, "{}", curve.deviation);
+            for (surface, on) in surfaces.iter().zip(&curve.on) {
+                for t in curve.curve.domain().steps(40) {
+                    let place = on.point_at(t);
+                    let gap = surface.point_at(place.x, place.y).distance(curve.curve.point_at(t));
+                    assert!(gap <= TOLERANCE.distance, "{gap}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn cylinders_whose_axes_miss_one_another_cross_in_no_conics() {
+    for miss in [1e-5, 1e-3] {
+        let tube = around((DVec3::ZERO, 1.0), DVec3::Z, 0.0, [-3.0, 3.0]);
+        let other = around((DVec3::Y * miss, 1.0), DVec3::X, 0.0, [-3.0, 3.0]);
+        let both = [tube, other].map(Surface::from);
+        let found = both[0].intersections(&both[1], TOLERANCE).expect("curves");
+        assert!(found.curves.iter().all(|curve| curve.degree() == 3));
+        for point in found.curves.iter().flat_map(|curve| curve.sample(40)) {
+            assert!((point.truncate().length() - 1.0).abs() <= TOLERANCE.distance, "{point}");
+            let from_other = (point - DVec3::Y * miss).truncate().y.hypot(point.z);
+            assert!((from_other - 1.0).abs() <= TOLERANCE.distance, "{point}");
+        }
     }
 }
 

@@ -1,14 +1,14 @@
 //! Laws of meshes within a tolerance: nothing is further away than asked for, nothing is missed,
 //! nothing is torn.
 
-use std::f64::consts::PI;
+use std::{f64::consts::PI, sync::Arc};
 
 use glam::DVec3;
 use proptest::{prop_assert, proptest};
 use virote_kernel::{
-    Axis, Direction, Frame, GeomError, Grid, InputError, KnotVector, Mesh, NurbsCurve,
-    NurbsSurface, Surface, TessellationOptions, Tolerance, distance_to_polyline, tessellate,
-    tessellate_all, tessellate_finely,
+    Axis, Direction, Face, FacePart, Frame, GeomError, Grid, InputError, KnotVector, Mesh,
+    NurbsCurve, NurbsSurface, Surface, TessellationOptions, Tolerance, distance_to_polyline,
+    tessellate, tessellate_all, tessellate_finely,
     work::{self, MemoryGauge, StopToken, Watch},
 };
 
@@ -81,6 +81,17 @@ fn t1_an_isolated_bump_is_found_at_its_height() {
     assert!((top - 4.0 / 3.0).abs() < 0.1, "{top}");
     // Most of it is a plane, which takes few triangles.
     assert!(mesh.n_triangles() < 8000, "{}", mesh.n_triangles());
+}
+
+#[test]
+fn a_flat_part_beside_a_bump_needs_its_corners_only() {
+    let corners = [[0.45, 0.6], [0.62, 0.6], [0.62, 0.9], [0.45, 0.9]];
+    let [a, b, c, d] = corners.map(|[u, v]| DVec3::new(u, v, 0.0));
+    let sides = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| NurbsCurve::line(from, to));
+    let loops = vec![sides.into_iter().collect::<Result<Vec<_>, _>>().unwrap()];
+    let face = Face::of_parts(Arc::new(bump()), &[FacePart { loops }], Tolerance::DEFAULT);
+    let mesh = face.unwrap().mesh(&TessellationOptions::within(1e-4), MOST).unwrap();
+    assert_eq!(mesh.n_triangles(), 2);
 }
 
 #[test]

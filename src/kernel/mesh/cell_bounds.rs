@@ -116,6 +116,8 @@ pub(super) struct CellBounds {
     rules: PieceRules,
     /// How many times longer a step along u is than one along v.
     ratios: Arc<Grid<f64>>,
+    /// Bounds of the lengths of Su and of Sv, over all pieces.
+    pub(super) longest: [f64; 2],
     /// The widths of cells, where somebody has asked for them already.
     widths: Option<PieceWidths>,
 }
@@ -157,6 +159,7 @@ impl CellBounds {
         }
         let per_tolerance = 1.0 / (8.0 * wanted.tolerance);
         let ratios = pieces.map(PieceBounds::ratio);
+        let longest = [0, 1].map(|i| pieces.iter().map(|piece| piece.first[i]).fold(0.0, f64::max));
         let are_broken = breaks.iter().any(|breaks| !breaks.is_empty());
         let lines =
             are_broken.then(|| line_forms(&pieces, &ends, breaks, per_tolerance / BORDER_SHARE));
@@ -183,7 +186,7 @@ impl CellBounds {
             }
         };
         let rules = PieceRules { bends, angle, others: Arc::new(others) };
-        Self { ends, alike, rules, ratios: Arc::new(ratios), widths: None }
+        Self { ends, alike, rules, ratios: Arc::new(ratios), longest, widths: None }
     }
 
     /// The same for an angle that is smaller by a factor.

@@ -101,6 +101,11 @@ impl EvenPlane<'_> {
     }
 }
 
+/// The numbers of the lines of constant u and of constant v that cross in a place with whole coordinates.
+pub(super) fn lines_through(crossing: DVec2) -> [usize; 2] {
+    [crossing.x as usize, crossing.y as usize]
+}
+
 /// The cells of `n` that come within a hair of what is between two coordinates.
 pub(super) fn cells_along(low: f64, high: f64, n: usize) -> std::ops::Range<usize> {
     let first = (low - CELL_HAIR).max(0.0).floor() as usize;

@@ -62,16 +62,11 @@ impl CellMarks {
 }
 
 impl GridCore {
-    /// Of the corners of a grid that lie within borders and keep away from them, by rows. `is_fine` tells of a cell, by
-    /// its least corner, whether it may be two triangles.
+    /// Of the corners of a grid that lie within borders and keep away from them, by rows.
     ///
     /// # Errors
     /// `GeomError::Ended`.
-    pub(super) fn of(
-        corners: &[DVec2],
-        rings: &[BorderPolygon],
-        is_fine: impl Fn([usize; 2]) -> bool,
-    ) -> Result<Self, GeomError> {
+    pub(super) fn of(corners: &[DVec2], rings: &[BorderPolygon]) -> Result<Self, GeomError> {
         let origin = corners.iter().copied().reduce(DVec2::min).unwrap_or(DVec2::ZERO);
         let last = corners.iter().copied().reduce(DVec2::max).unwrap_or(DVec2::ZERO) - origin;
         let [n_rows, n_columns] = [last.x as usize + 1, last.y as usize + 1];
@@ -91,9 +86,8 @@ impl GridCore {
             }
             let others = [[i + 1, j], [i, j + 1], [i + 1, j + 1]];
             let cell = i * (n_columns - 1) + j;
-            marks.is_whole[cell] = !is_crossed[cell]
-                && others.into_iter().all(|[i, j]| marks.corner(i, j) != NONE)
-                && is_fine([corner.x as usize, corner.y as usize]);
+            marks.is_whole[cell] =
+                !is_crossed[cell] && others.into_iter().all(|[i, j]| marks.corner(i, j) != NONE);
         }
         Ok(Self::with(corners, marks))
     }

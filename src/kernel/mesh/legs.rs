@@ -33,7 +33,8 @@ impl PartsTessellation<'_> {
     /// Parameters of an arc between which legs may run, its ends among them.
     pub(super) fn stops(&self, arc: &NurbsCurve) -> Result<Vec<f64>, GeomError> {
         let most = self.most;
-        let stretch = DVec3::new(self.first[0], self.first[1], 0.0);
+        let [longest_u, longest_v] = self.limits.longest;
+        let stretch = DVec3::new(longest_u, longest_v, 0.0);
         let stretched = arc.transformed(&glam::DAffine3::from_scale(stretch));
         let mut stops = vec![arc.domain().start()];
         for span in arc.knots().spans() {

@@ -57,8 +57,12 @@ impl<'a> SurfacePatch<'a> {
     }
 
     pub(super) fn of_spline(spline: &'a NurbsSurface, tolerance: f64) -> Self {
+        Self::of(Cow::Borrowed(spline), tolerance)
+    }
+
+    pub(super) fn of(spline: Cow<'a, NurbsSurface>, tolerance: f64) -> Self {
         let breaks = Direction::BOTH.map(|along| spline.breaks_of_derivative(along));
-        Self { spline: Cow::Borrowed(spline), function: None, breaks, tolerance }
+        Self { spline, function: None, breaks, tolerance }
     }
 
     /// That of a sphere, if it is one and no grid is wanted.

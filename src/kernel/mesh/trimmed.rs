@@ -6,15 +6,15 @@
 //! gets a vertex in its middle. A triangle within a box that the limits allow is near the surface at
 //! equal parameters (`cell_bounds`), and the parameters beside a leg are near those on it.
 
-use std::collections::BTreeMap;
+use std::{borrow::Cow, collections::BTreeMap};
 
 use glam::{DVec2, DVec3};
 
 use super::{
     Mesh, TessellationOptions,
     arc_places::{BorderVertex, SharedLine, at, between},
-    bend::DerivativeBounds,
-    even_plane::EvenPlane,
+    cell_bounds::CellBounds,
+    even_plane::{EvenPlane, lines_through},
     grid_core::GridCore,
     pinched::{crossing_sides, with_common_places, without_folds},
     surface_patch::{Cells, SurfacePatch},
@@ -22,10 +22,15 @@ use super::{
     triangulation::{BorderPolygon, triangles_with},
 };
 use crate::{
-    CountError, GeomError, NurbsCurve, NurbsSurface, RegionError, Side,
+    Bounds, CountError, Direction, GeomError, Interval, NurbsCurve, NurbsSurface, RegionError,
+    Side,
     ceiling::TESSELLATION_ROUNDS,
     tolerance::{LEG_SHARE, PARAMETER_RELATIVE, VANISHING_RELATIVE},
 };
+
+/// What parts of a surface are together that have limits of their own, by the parameters of the box around them: less
+/// than this of the whole.
+const SMALL_SHARE: f64 = 0.75;
 
 /// Rounds of vertices in the middle of triangles; each leaves a third of the way to a leg.
 const MIDDLE_ROUNDS: usize = 24;
@@ -41,8 +46,10 @@ pub(crate) struct PartsTessellation<'a> {
     pub(super) sheet: SurfacePatch<'a>,
     parts: &'a [PartLoops],
     pub(super) is_closed: [bool; 2],
-    /// Bounds of the lengths of Su and of Sv.
-    pub(super) first: [f64; 2],
+    /// What of the sheet is around all parts, where that is little of it: cells are those of its limits.
+    around: Option<SurfacePatch<'a>>,
+    /// The limits of cells as they were given.
+    pub(super) limits: CellBounds,
     /// The limits of triangles.
     pub(super) cells: Cells,
     /// What legs may leave out.
@@ -74,6 +81,22 @@ pub(crate) fn tessellate_parts(
     PartsTessellation::settled(surface, parts, is_closed, options, most)?.1
 }
 
+/// The part of a surface around parts of it, where that is little of its parameters.
+fn around(surface: &NurbsSurface, parts: &[PartLoops]) -> Option<NurbsSurface> {
+    let arcs = parts.iter().flatten().flatten();
+    let bounds = arcs.map(NurbsCurve::bounds).reduce(Bounds::union)?;
+    let domains = Direction::BOTH.map(|along| surface.domain(along));
+    let [u, v] = [0, 1].map(|i| {
+        let (low, high) =
+            (bounds.min[i].max(domains[i].start()), bounds.max[i].min(domains[i].end()));
+        Interval::new(low, high)
+    });
+    let (u, v) = (u.ok()?, v.ok()?);
+    let share = (u.length() / domains[0].length()) * (v.length() / domains[1].length());
+    let part = (share < SMALL_SHARE).then(|| surface.trimmed(Direction::U, u).ok())??;
+    part.trimmed(Direction::V, v).ok()
+}
+
 impl<'a> PartsTessellation<'a> {
     /// With cells that keep to all limits, and the mesh that shows it; or as far as is known without neighbours,
     /// and [`RegionError::Unclear`] where arcs come too near one another.
@@ -93,18 +116,18 @@ impl<'a> PartsTessellation<'a> {
         // What legs leave out, and what triangles do.
         let leg_tolerance = LEG_SHARE * options.tolerance;
         let triangles = (1.0 - LEG_SHARE) * options.tolerance;
-        let bounds = DerivativeBounds::of(surface, [1, 1], options.n_threads);
-        let longest =
-            |i: usize| bounds.pieces.iter().map(|piece| piece.first[i]).fold(0.0, f64::max);
-        let first = [longest(0), longest(1)];
         let sheet = SurfacePatch::of_spline(surface, triangles);
-        let limits = sheet.limits(options);
-        let cells = sheet.cells(limits.sharpened(1.0), most)?;
+        let around =
+            around(surface, parts).map(|around| SurfacePatch::of(Cow::Owned(around), triangles));
+        let patch = around.as_ref().unwrap_or(&sheet);
+        let limits = patch.limits(options);
+        let cells = patch.cells(limits.clone(), most)?;
         let mut own = Self {
             sheet,
             parts,
             is_closed,
-            first,
+            around,
+            limits,
             cells,
             leg_tolerance,
             weld: options.weld,
@@ -153,8 +176,8 @@ impl<'a> PartsTessellation<'a> {
             return Ok(false);
         }
         self.sharpness *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-        let limits = self.sheet.limits(options).sharpened(self.sharpness);
-        self.cells = self.sheet.cells(limits, self.most)?;
+        let patch = self.around.as_ref().unwrap_or(&self.sheet);
+        self.cells = patch.cells(self.limits.sharpened(self.sharpness), self.most)?;
         self.last_excess = excess;
         Ok(true)
     }
@@ -289,42 +312,70 @@ impl<'a> PartsTessellation<'a> {
             cells.allow([[low.x, high.x], [low.y, high.y]])
         };
         let limits = [MIDDLE_ROUNDS, most.saturating_sub(got)];
-        let whole = |[i, j]: [usize; 2]| {
-            let [us, vs] = &cells.lines;
-            cells.allow([[us[i], us[i + 1]], [vs[j], vs[j + 1]]])
-        };
-        let mut core = GridCore::of(&inside, &rings, whole)?;
+        let mut core = GridCore::of(&inside, &rings)?;
+        let n_shared = core.shared.len();
         let given = (std::mem::take(&mut core.shared), &core.sides[..]);
-        let (mut triangles, mut inside) =
+        let (mut triangles, inside) =
             triangles_with(&rings, given, is_fine, limits).map_err(|vertex| {
                 let vertex = loops.iter().flatten().nth(vertex);
                 let point = vertex.map_or(DVec3::ZERO, |vertex| vertex.point);
                 RegionError::Unclear { point }
             })?;
         triangles.extend(core.triangles(first, first + inside.len()));
-        inside.extend(core.deep);
-        let inside = inside.iter().map(|&place| self.vertex_at(net.parameters(place)));
-        let own: Vec<BorderVertex> = loops.iter().flatten().copied().chain(inside).collect();
-        let got = mesh.n_vertices() + own.len();
-        if most.min(u32::MAX as usize) < got {
-            return Err(CountError::TooManyVertices { got, most }.into());
-        }
-        let places = || own.iter().map(|vertex| vertex.parameters);
-        let (low, high) = (places().reduce(DVec2::min), places().reduce(DVec2::max));
-        let middle = low.zip(high).map_or(DVec2::ZERO, |(low, high)| low.midpoint(high));
-        let offset = mesh.n_vertices() as u32;
-        for vertex in &own {
-            mesh.vertices.push(vertex.point);
-            mesh.normals.push(self.normal(vertex.parameters, middle));
-            mesh.uvs.push(vertex.parameters);
-        }
+        let offset = mesh.n_vertices();
+        let (shared, between) = inside.split_at(n_shared);
+        self.add_vertices(loops, [shared, between, &core.deep], mesh)?;
         let rounding = VANISHING_RELATIVE * self.sheet.spline.bounds().magnitude();
         for corners in triangles {
-            let corners = corners.map(|corner| corner + offset);
+            let corners = corners.map(|corner| corner + offset as u32);
             let [a, b, c] = corners.map(|corner| mesh.vertices[corner as usize]);
             if [(a, b), (b, c), (c, a)].iter().all(|(a, b)| rounding < a.distance(*b)) {
                 mesh.triangles.push(corners);
             }
+        }
+        Ok(())
+    }
+
+    /// Adds the vertices of the border of one part, of the corners of whole cells that other triangles have too, of what
+    /// is inside of no cell, and of all other corners, in this order.
+    ///
+    /// # Errors
+    /// [`CountError::TooManyVertices`]; `GeomError::Ended`.
+    fn add_vertices(
+        &self,
+        loops: &[Vec<BorderVertex>],
+        [shared, between, deep]: [&[DVec2]; 3],
+        mesh: &mut Mesh,
+    ) -> Result<(), GeomError> {
+        let border = || loops.iter().flatten();
+        let n_own = border().count() + shared.len() + between.len() + deep.len();
+        let (got, most) = (mesh.n_vertices() + n_own, self.most);
+        if most.min(u32::MAX as usize) < got {
+            return Err(CountError::TooManyVertices { got, most }.into());
+        }
+        let places = || border().map(|vertex| vertex.parameters);
+        let (low, high) = (places().reduce(DVec2::min), places().reduce(DVec2::max));
+        let middle = low.zip(high).map_or(DVec2::ZERO, |(low, high)| low.midpoint(high));
+        let crossings: Vec<[usize; 2]> =
+            shared.iter().chain(deep).map(|&corner| lines_through(corner)).collect();
+        let net = EvenPlane { lines: &self.cells.lines };
+        let [us, vs] = net.lines;
+        let samples = self.sheet.spline.samples_at_crossings([us, vs], &crossings)?;
+        let at_crossings =
+            crossings.iter().map(|&[i, j]| DVec2::new(us[i], vs[j])).zip(samples.iter().copied());
+        let n_shared = shared.len();
+        let (shared, deep) = (at_crossings.clone().take(n_shared), at_crossings.skip(n_shared));
+        let border = border().map(|&BorderVertex { parameters, point }| {
+            (parameters, (point, self.sample(parameters, middle).1))
+        });
+        let between = between.iter().map(|&place| {
+            let parameters = net.parameters(place);
+            (parameters, self.sample(parameters, middle))
+        });
+        for (parameters, (point, normal)) in border.chain(shared).chain(between).chain(deep) {
+            mesh.vertices.push(point);
+            mesh.normals.push(normal);
+            mesh.uvs.push(parameters);
         }
         Ok(())
     }
@@ -339,9 +390,9 @@ impl<'a> PartsTessellation<'a> {
         self.sheet.spline.point_at(u, v)
     }
 
-    /// The normal at parameters, on the side where the part is.
-    fn normal(&self, place: DVec2, middle: DVec2) -> DVec3 {
+    /// The point and the normal at parameters, on the side where the part is.
+    fn sample(&self, place: DVec2, middle: DVec2) -> (DVec3, DVec3) {
         let sides = [0, 1].map(|i| if place[i] <= middle[i] { Side::Right } else { Side::Left });
-        self.sheet.spline.sample_beside(place.to_array(), sides).1
+        self.sheet.spline.sample_beside(place.to_array(), sides)
     }
 }

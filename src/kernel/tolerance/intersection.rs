@@ -274,3 +274,14 @@ pub(crate) const SENSE_LOOK: f64 = 1.0 / 64.0;
 ///
 /// Larger searches where the closed form would do; smaller takes the closed form where what touches is told as such.
 pub(crate) const COAXIAL_SINE: f64 = 1e-2;
+
+/// Part of the tolerance within which the curves of cylinders and cones that all but go around one sphere keep to the
+/// conics of those that do.
+///
+/// Larger cuts at junctions what passes them by; smaller searches where rounding alone is in the way.
+pub(crate) const INSCRIBED_SHARE: f64 = 0.5;
+
+/// How far ahead of its start, as a part of a curve, is looked which way its parameters go.
+///
+/// Larger sees where it turns back; smaller does not tell rounding from a way.
+pub(crate) const FIRST_LOOK: f64 = 1e-3;

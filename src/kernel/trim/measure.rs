@@ -36,19 +36,48 @@ enum ParameterPiece<'a> {
     Strip { surface: &'a NurbsSurface, arc: &'a NurbsCurve, interval: Interval, from: f64 },
 }
 
+/// Where a line of constant second parameter runs over a piece: at which v, from which u, how far, and by what areas are
+/// multiplied.
+struct PieceLine {
+    v: f64,
+    from: f64,
+    width: f64,
+    factor: f64,
+}
+
+impl ParameterPiece<'_> {
+    fn surface(&self) -> &NurbsSurface {
+        match *self {
+            Self::Rectangle { surface, .. } | Self::Strip { surface, .. } => surface,
+        }
+    }
+}
+
 impl QuadratureMap for ParameterPiece<'_> {
-    fn at(&self, place: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError> {
-        let (surface, [u, v], factor) = match *self {
-            Self::Rectangle { surface, times, .. } => (surface, place, times),
-            Self::Strip { surface, arc, from, .. } => {
-                let derivatives = arc.derivatives_at(place[1], 1);
+    type Line = PieceLine;
+
+    fn line_at(&self, second: f64) -> PieceLine {
+        match *self {
+            Self::Rectangle { times, .. } => {
+                PieceLine { v: second, from: 0.0, width: 1.0, factor: times }
+            }
+            Self::Strip { arc, from, .. } => {
+                let derivatives = arc.derivatives_at(second, 1);
                 let (end, dv) = (derivatives[0], derivatives[1].y);
                 let width = end.x - from;
-                (surface, [from + width * place[0], end.y], width * dv)
+                PieceLine { v: end.y, from, width, factor: width * dv }
             }
-        };
+        }
+    }
+
+    fn at(
+        &self,
+        first: f64,
+        &PieceLine { v, from, width, factor }: &PieceLine,
+    ) -> Result<(DVec3, DVec3, f64), GeomError> {
+        let surface = self.surface();
         let [domain_u, domain_v] = [surface.domain_u(), surface.domain_v()];
-        let u = u.clamp(domain_u.start(), domain_u.end());
+        let u = (from + width * first).clamp(domain_u.start(), domain_u.end());
         let v = v.clamp(domain_v.start(), domain_v.end());
         let [point, along_u, along_v] = surface.tangents_at(u, v);
         Ok((point, along_u.cross(along_v), factor))

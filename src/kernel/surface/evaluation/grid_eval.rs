@@ -8,7 +8,7 @@ use bytemuck::zeroed_vec;
 use glam::{DVec3, DVec4};
 
 use crate::{
-    Grid, KnotVector, homogeneous,
+    GeomError, Grid, KnotVector, homogeneous,
     side_by_side::{self, RowBlock},
     surface::NurbsSurface,
     work,
@@ -67,6 +67,11 @@ impl BasisTable {
             spans.push(ActiveSpan { first: span - knots.degree(), width });
         }
         Self { n_functions, spans, functions }
+    }
+
+    fn at(&self, number: usize) -> (ActiveSpan, &[[f64; 2]]) {
+        let n = self.n_functions;
+        (self.spans[number], &self.functions[n * number..][..n])
     }
 
     fn rows(&self) -> impl Iterator<Item = (ActiveSpan, &[[f64; 2]])> {
@@ -141,18 +146,56 @@ impl NurbsSurface {
             self.contract(span_u.first, functions_u, &mut strip);
             let fold = self.fold_area / span_u.width;
             let places = points.iter_mut().zip(normals);
-            for ((place, facing), (&v, (span_v, functions_v))) in
-                places.zip(vs.iter().zip(table_v.rows()))
-            {
-                let sums = HomogeneousSums::over(&strip[span_v.first..], functions_v);
-                let (point, normal) = sums.point_and_normal();
-                let length = normal.length_squared().sqrt();
-                let is_regular = fold * (sums.value.w * sums.value.w) < length * span_v.width;
-                *place = point;
-                *facing =
-                    if is_regular { normal * (1.0 / length) } else { self.shading_normal(u, v) };
+            for ((place, facing), (&v, along_v)) in places.zip(vs.iter().zip(table_v.rows())) {
+                (*place, *facing) = self.sample_of_strip(&strip, along_v, [u, v], fold);
             }
         }
+    }
+
+    /// Points and unit normals at some of the crossings of lines of constant u and of constant v, told by the numbers of
+    /// both lines: those on one line of constant u behind one another, or each such line is gone along once more.
+    ///
+    /// # Errors
+    /// `GeomError::Ended`.
+    pub(crate) fn samples_at_crossings(
+        &self,
+        [us, vs]: [&[f64]; 2],
+        crossings: &[[usize; 2]],
+    ) -> Result<Vec<(DVec3, DVec3)>, GeomError> {
+        let [table_u, table_v] =
+            [BasisTable::new(&self.knots_u, us), BasisTable::new(&self.knots_v, vs)];
+        let mut strip = Vec::with_capacity(self.control_points.n_columns());
+        let mut samples = Vec::with_capacity(crossings.len());
+        for on_line in crossings.chunk_by(|a, b| a[0] == b[0]) {
+            GeomError::go_on(1)?;
+            let i = on_line[0][0];
+            let (span, functions) = table_u.at(i);
+            self.contract(span.first, functions, &mut strip);
+            let fold = self.fold_area / span.width;
+            let sample = |&[_, j]: &[usize; 2]| {
+                self.sample_of_strip(&strip, table_v.at(j), [us[i], vs[j]], fold)
+            };
+            samples.extend(on_line.iter().map(sample));
+        }
+        Ok(samples)
+    }
+
+    /// The point and the unit normal where a line of constant u, by the sums along it, comes to a v; `fold` is the least
+    /// area that a normal has, for each of the span along u.
+    #[inline]
+    fn sample_of_strip(
+        &self,
+        strip: &[ColumnSum],
+        (span, functions): (ActiveSpan, &[[f64; 2]]),
+        [u, v]: [f64; 2],
+        fold: f64,
+    ) -> (DVec3, DVec3) {
+        let sums = HomogeneousSums::over(&strip[span.first..], functions);
+        let (point, normal) = sums.point_and_normal();
+        let length = normal.length_squared().sqrt();
+        let is_regular = fold * (sums.value.w * sums.value.w) < length * span.width;
+        let normal = if is_regular { normal * (1.0 / length) } else { self.shading_normal(u, v) };
+        (point, normal)
     }
 
     /// Sums every column of the net over the rows from `first` on into the strip.

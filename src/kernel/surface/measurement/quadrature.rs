@@ -69,11 +69,17 @@ impl<const N: usize> IntegralValues<N> {
 
 /// Parameters over which is integrated: a map from a rectangle, with what its area is multiplied by.
 pub(crate) trait QuadratureMap {
-    /// The point, Su × Sv and the factor of the area there.
+    /// What places with one second parameter have in common.
+    type Line;
+
+    /// That of a second parameter.
+    fn line_at(&self, second: f64) -> Self::Line;
+
+    /// The point, Su × Sv and the factor of the area at a first parameter on a line.
     ///
     /// # Errors
     /// As [`Surface::point_at`].
-    fn at(&self, place: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError>;
+    fn at(&self, first: f64, line: &Self::Line) -> Result<(DVec3, DVec3, f64), GeomError>;
 
     /// Rectangles in which all is smooth.
     fn cells(&self) -> [Vec<Interval>; 2];
@@ -83,7 +89,13 @@ pub(crate) trait QuadratureMap {
 }
 
 impl QuadratureMap for Surface {
-    fn at(&self, [u, v]: [f64; 2]) -> Result<(DVec3, DVec3, f64), GeomError> {
+    type Line = f64;
+
+    fn line_at(&self, v: f64) -> f64 {
+        v
+    }
+
+    fn at(&self, u: f64, &v: &f64) -> Result<(DVec3, DVec3, f64), GeomError> {
         let found = match (self, self.tangents_at(u, v)) {
             // On a crease a function has no derivative; what is beside it counts.
             (Self::Parametric(_), Err(error)) => {
@@ -237,21 +249,21 @@ fn cells(part: usize, map: &impl QuadratureMap) -> Vec<QuadratureCell> {
 ///
 /// What is added up is the difference from the middle of the cell, so that what does not change
 /// has its exact integral.
-fn quadrature<const N: usize, D: Into<Density<N>>>(
-    (map, ways): (&impl QuadratureMap, [bool; 2]),
+fn quadrature<const N: usize, M: QuadratureMap, D: Into<Density<N>>>(
+    (map, ways): (&M, [bool; 2]),
     far: f64,
     cell: QuadratureCell,
     density: &impl Fn(DVec3, DVec3) -> D,
 ) -> Result<CellEstimate<N>, GeomError> {
-    let at = |u: f64, v: f64| -> Result<Density<N>, GeomError> {
-        let (point, normal, factor) = map.at([u, v])?;
+    let at = |u: f64, line: &M::Line| -> Result<Density<N>, GeomError> {
+        let (point, normal, factor) = map.at(u, line)?;
         let Density { values, parts } = density(point, normal).into();
         Ok(Density {
             values: values.map(|value| value * factor),
             parts: parts.map(|value| value * factor.abs()),
         })
     };
-    let middle = at(cell.u.at(0.5), cell.v.at(0.5))?.values;
+    let middle = at(cell.u.at(0.5), &map.line_at(cell.v.at(0.5)))?.values;
     let (mut means, mut absolute, mut parts) = ([0.0; N], [0.0; N], [0.0; N]);
     let nodes_along = |direction: Direction, interval: Interval| -> Vec<(f64, f64)> {
         match ways[direction] {
@@ -261,11 +273,12 @@ fn quadrature<const N: usize, D: Into<Density<N>>>(
             false => nodes(&EIGHT_NODES, interval).collect(),
         }
     };
-    let along_v = nodes_along(Direction::V, cell.v);
+    let along_v = nodes_along(Direction::V, cell.v).into_iter();
+    let lines: Vec<(M::Line, f64)> = along_v.map(|(v, weight)| (map.line_at(v), weight)).collect();
     for (u, weight_u) in nodes_along(Direction::U, cell.u) {
-        for &(v, weight_v) in &along_v {
+        for (line, weight_v) in &lines {
             let weight = weight_u * weight_v;
-            let there = at(u, v)?;
+            let there = at(u, line)?;
             for (i, value) in there.values.into_iter().enumerate() {
                 means[i] += weight * (value - middle[i]);
                 absolute[i] += weight * value.abs();

@@ -15,7 +15,7 @@ use super::{
 use crate::{
     Interval, NurbsCurve, Side, bezier,
     ceiling::EDGE_PIECES,
-    tolerance::{BORDER_END_SHARE, KNOT_RELATIVE, SHORTEST_EDGE_PIECE},
+    tolerance::{BORDER_END_SHARE, FIRST_LOOK, KNOT_RELATIVE, SHORTEST_EDGE_PIECE},
     work,
 };
 
@@ -62,7 +62,8 @@ impl Lift<'_, '_> {
         let mut todo = self.finder.breaks(self.curve);
         todo.reverse();
         let first = todo.pop()?;
-        let mut last = self.finder.at_end(first, Side::Right, None)?;
+        let last = self.finder.at_end(first, Side::Right, None)?;
+        let mut last = self.on_side_ahead(last, first);
         let mut t = first;
         while let Some(&target) = todo.last() {
             if !work::goes_on(1) || EDGE_PIECES < self.pieces.len() {
@@ -112,6 +113,14 @@ impl Lift<'_, '_> {
             }
         }
         Some(())
+    }
+
+    /// The first place, at the side of a seam to which the curve goes from there: a foot tells either.
+    fn on_side_ahead(&self, first: CommonPlace, t: f64) -> CommonPlace {
+        let step = FIRST_LOOK * self.curve.domain().length();
+        let mut ahead = first;
+        ahead.at = first.ahead(step);
+        self.across_all(first, &ahead, t).unwrap_or(first)
     }
 
     /// The place at the end of a piece.

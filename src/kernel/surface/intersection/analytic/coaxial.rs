@@ -190,7 +190,7 @@ impl NurbsSurface {
     }
 
     /// Whether all of a curve is on the surface, false where nothing of it is; none of a part.
-    fn has_all_of(&self, curve: &NurbsCurve, distance: f64) -> Option<bool> {
+    pub(super) fn has_all_of(&self, curve: &NurbsCurve, distance: f64) -> Option<bool> {
         let domain = curve.domain();
         let mut places = (0..N_LOOKS).map(|i| {
             let point = curve.point_at(domain.at(f64::from(i) / f64::from(N_LOOKS)));
@@ -206,7 +206,7 @@ impl NurbsSurface {
     }
 
     /// A curve of both so that it runs along the product of their normals.
-    fn directed_across(&self, other: &Self, curve: NurbsCurve) -> Option<NurbsCurve> {
+    pub(super) fn directed_across(&self, other: &Self, curve: NurbsCurve) -> Option<NurbsCurve> {
         let derivatives = curve.derivatives_at(curve.domain().at(1.0 / TAU), 1);
         let normal = |surface: &Self| {
             let [u, v] = surface.closest(derivatives[0]).parameters;

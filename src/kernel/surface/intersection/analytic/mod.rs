@@ -9,7 +9,8 @@
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
 //! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
-//! planes cut them, `coaxial` the circles in which those about one axis cross, `carrier` tells which are parts of one,
+//! planes cut them, `coaxial` the circles in which those about one axis cross, `inscribed` the conics of cylinders and
+//! cones around one sphere, `carrier` tells which are parts of one,
 //! `chart` has the parameters that files give them.
 
 mod apart;
@@ -18,6 +19,7 @@ mod chart;
 mod coaxial;
 mod conic;
 mod equation;
+mod inscribed;
 mod plane;
 mod quadric;
 mod revolved;

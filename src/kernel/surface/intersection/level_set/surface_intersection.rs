@@ -93,7 +93,8 @@ fn splines_cross(
     if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
         return Ok(LevelSet::default());
     }
-    if let Some(curves) = a.coaxial_crossings(&b, tolerance) {
+    let crossings = a.coaxial_crossings(&b, tolerance);
+    if let Some(curves) = crossings.or_else(|| a.inscribed_crossings(&b, tolerance)) {
         return Ok(LevelSet { curves, ..LevelSet::default() });
     }
     let surfaces = [a, b];
