@@ -42,6 +42,3 @@ pub const CONTROL_POINTS: usize = 10_000_000;
 /// Points that a fit to a tolerance may look at, each time counted, to save control points: below a
 /// second. Beyond it the tolerance is kept all the same.
 pub const FIT_STEPS: usize = 4_000_000;
-/// How many points of a sample of many a fit to a tolerance may look at to save control points, for each of the many. With
-/// half as many some curves have a third more control points; with more the last few cost most of the time.
-pub const FIT_STEPS_A_POINT: usize = 20;

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::search::{FitSearch, FittedCurve};
 use crate::{
-    ceiling::{FIT_STEPS_A_POINT, NEWTON_STEPS},
+    ceiling::NEWTON_STEPS,
     numeric::newton::{to_foot, within_limits},
     tolerance::PARAMETER_RELATIVE,
 };
@@ -17,13 +17,6 @@ const SAMPLE: usize = 400;
 
 /// Points of a sample for each control point, so that none swings between them.
 const POINTS_A_CONTROL: usize = 6;
-
-/// Points of a sample for each control point of the curve that comes near to them at the parameters as they are: with fewer
-/// it follows single points.
-const POINTS_A_STILL_CONTROL: usize = 2;
-
-/// The share of control points that is tried first where there may be too many, and from which on it is not worth the time.
-const SHARES: [f64; 2] = [0.8, 0.95];
 
 /// A curve of a sample that misses other points by so many times the tolerance is given a few knots more.
 const ALMOST: f64 = 2.0;
@@ -50,10 +43,10 @@ impl FitSearch<'_> {
         let points: Vec<DVec3> = chosen.iter().map(|&i| self.points[i]).collect();
         let places: Vec<f64> = chosen.iter().map(|&i| parameters[i]).collect();
         let tolerance = SAMPLE_SHARE * self.tolerance;
-        let left = self.left.min(FIT_STEPS_A_POINT * self.points.len());
-        let mut search = FitSearch { points: &points, tolerance, left, ..*self };
-        let sample = search.run_soon(&places)?;
-        self.left -= left - search.left;
+        let mut search = FitSearch { points: &points, tolerance, ..*self };
+        let sample = search.run_on_all(&places);
+        self.left = search.left;
+        let sample = sample.ok().filter(|s| POINTS_A_CONTROL * s.n_control() < chosen.len())?;
         let start = match self.are_fixed {
             true => parameters.to_vec(),
             false => self.feet_between(&sample, &chosen, parameters),
@@ -74,46 +67,6 @@ impl FitSearch<'_> {
             &start,
             sample.n_control() + sample.n_control() / 8,
         )
-    }
-
-    /// A curve of few control points that is found soon; none where the points are too few for it. Counts what is looked
-    /// at to save control points alone.
-    fn run_soon(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
-        let (all, left) = (self.points.len(), self.left);
-        let room = all / POINTS_A_STILL_CONTROL;
-        let most = self.most.min(room);
-        let still = FitSearch { are_fixed: true, ..*self }.grown_anew(parameters, most).ok()?;
-        if still.is_none() && room <= self.most {
-            return None;
-        }
-        let most = still.as_ref().map_or(most, FittedCurve::n_control);
-        let slid = if self.are_fixed { None } else { self.grown_anew(parameters, most).ok()? };
-        let first = slid.or(still)?;
-        if all <= POINTS_A_CONTROL * first.n_control() {
-            return None;
-        }
-        self.left = left;
-        let fewer = self.with_fewer(first);
-        let fewer = self.thinned_at_once(fewer);
-        Some(self.thinned(fewer).0)
-    }
-
-    /// Ever fewer control points, their knots where the curve needs them, while there are curves within the tolerance.
-    fn with_fewer(&mut self, first: FittedCurve) -> FittedCurve {
-        let [mut share, most] = SHARES;
-        let mut best = first;
-        while share < most && 0 < self.left {
-            let n = (share * best.n_control() as f64) as usize;
-            if n <= self.degree {
-                break;
-            }
-            match self.spread(&best, n) {
-                Ok(trial) => best = trial,
-                // Halfway to all, by their logarithms.
-                Err(_) => share = share.sqrt(),
-            }
-        }
-        best
     }
 
     /// The nearest places of all points on the curve of a sample: each lies between those of the two around it

@@ -93,12 +93,15 @@ impl FitSearch<'_> {
 
     /// [`Self::run`], all points looked at from the beginning.
     pub(super) fn run_on_all(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
+        let domain = [parameters[0], parameters[parameters.len() - 1]];
+        let ends = domain.map(|t| vec![t; self.degree + 1]);
+        let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
         // Points that slide along a curve that is still far from them can crowd, and then no number
         // of knots is enough; at parameters that stand still knots only ever help.
         let all = self.most.min(self.points.len());
-        let still = FitSearch { are_fixed: true, ..*self }.grown_anew(parameters, all)?;
+        let still = FitSearch { are_fixed: true, ..*self }.grown(coarsest.clone(), parameters, all);
         let most = still.as_ref().map_or(all, FittedCurve::n_control);
-        let slid = if self.are_fixed { None } else { self.grown_anew(parameters, most)? };
+        let slid = if self.are_fixed { None } else { self.grown(coarsest, parameters, most) };
         let Some(first) = slid.or(still) else {
             return self.interpolated(parameters);
         };
@@ -119,18 +122,6 @@ impl FitSearch<'_> {
             }
         }
         Ok(best)
-    }
-
-    /// [`Self::grown`] from no inner knots.
-    pub(super) fn grown_anew(
-        &mut self,
-        parameters: &[f64],
-        most: usize,
-    ) -> Result<Option<FittedCurve>, GeomError> {
-        let domain = [parameters[0], parameters[parameters.len() - 1]];
-        let ends = domain.map(|t| vec![t; self.degree + 1]);
-        let coarsest = KnotVector::for_points(self.degree, self.degree + 1, ends.concat())?;
-        Ok(self.grown(coarsest, parameters, most))
     }
 
     pub(super) fn keeps(&self, trial: &FittedCurve) -> bool {
@@ -357,7 +348,7 @@ impl FitSearch<'_> {
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
     /// one found needs comes to it; else how far the nearest one misses.
-    pub(super) fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+    fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         let mut least = f64::INFINITY;
         for _ in 0..KNOT_SPREADS {
