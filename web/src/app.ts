@@ -67,14 +67,15 @@ export class App {
     settings.watch(() => this.dress());
     this.followPointer();
     doc.scene.follow(() => this.askAgain());
-    this.shown = this.surround(host, deviation, more);
+    const commands = [...this.commands(), ...more];
+    listenToKeys(commands);
+    this.shown = this.surround(host, deviation, commands);
   }
 
   /** Puts around the first picture what stands there, for which it would wait otherwise. */
-  private async surround(host: HTMLElement, deviation: DeviationMap, more: Command[]): Promise<void> {
+  private async surround(host: HTMLElement, deviation: DeviationMap, commands: Command[]): Promise<void> {
     const { doc, stage, settings } = this;
     await this.pictured();
-    const commands = [...this.commands(), ...more];
     this.tree = new TreePanel(doc, stage);
     const look = new LookPanel(doc, stage, settings, deviation);
     const facts = new FactsPanel(doc);
@@ -101,7 +102,6 @@ export class App {
     this.view.append(overlay(doc, stage, settings), front);
     this.bar.replaceWith(new Toolbar(doc, settings, commands).root);
     host.append(this.help);
-    listenToKeys(commands);
     this.isShown = true;
     // Marks and scales follow frames.
     stage.ask();

@@ -58,8 +58,11 @@ export class Playground {
   private n_addresses = 0;
   private canKeep = true;
 
-  /** `failed` is called when there is no interpreter. */
-  constructor(host: HTMLElement, failed: (trouble: unknown) => void) {
+  /** `failed` is called when there is no interpreter, or no viewer. */
+  constructor(
+    host: HTMLElement,
+    private readonly failed: (trouble: unknown) => void,
+  ) {
     this.module.catch(failed);
     const files = (): Iterable<readonly [string, Uint8Array]> => this.folder.files();
     this.engine = new Engine(this.module, files);
@@ -89,7 +92,7 @@ export class Playground {
     if (app.settings.isFirstVisit && this.viewer.clientWidth < ROOM_FOR_PANELS) app.settings.put({ rightPanel: false });
     app.doc.selection.follow((paths) => this.reveal(app, paths));
     this.app = app;
-    void app.shown.then(this.show);
+    app.shown.then(this.show, this.failed);
     for (const { message, isTrouble } of this.untold) app.doc.tell(message, isTrouble);
     this.untold = [];
     return app;
