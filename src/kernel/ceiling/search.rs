@@ -192,3 +192,15 @@ pub(crate) const CONIC_SPANS: usize = 256;
 
 /// Places within each span of an arc in which the conic is compared at most.
 pub(crate) const CONIC_PLACES: usize = 16;
+
+/// Steps towards the least value between kinks, each with one question for gradients.
+pub(crate) const KINK_STEPS: usize = 300;
+
+/// Steps of these among which a kink has to be seen.
+pub(crate) const KINK_LOOKS: usize = 20;
+
+/// Unknowns of such a search: each of its steps takes work with their third power and more.
+pub(crate) const KINK_UNKNOWNS: usize = 60;
+
+/// Last steps of a descent that tell whether its slopes become less.
+pub(crate) const SETTLING_STEPS: usize = 8;

@@ -53,11 +53,13 @@ pub(super) struct CountedFunctions<F> {
     pub(super) n_evaluations: usize,
     /// Whether derivatives were taken by differences.
     pub(super) has_differences: bool,
+    /// The part of each unknown's size over which they are.
+    pub(super) reach: f64,
 }
 
 impl<F> CountedFunctions<F> {
     pub(super) fn new(functions: F) -> Self {
-        Self { functions, n_evaluations: 0, has_differences: false }
+        Self { functions, n_evaluations: 0, has_differences: false, reach: DIFFERENCE_RELATIVE }
     }
 
     /// The values at a place.
@@ -90,7 +92,7 @@ impl<F> CountedFunctions<F> {
         let mut beside = place.to_vec();
         let mut gradients = vec![vec![0.0; place.len()]; own.values.len()];
         for (k, &x) in place.iter().enumerate() {
-            let reach = DIFFERENCE_RELATIVE * x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
+            let reach = self.reach * x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
             let [least, most] = bounds.get(k).copied().unwrap_or([-f64::INFINITY, f64::INFINITY]);
             let [low, high] = [(x - reach).max(least), (x + reach).min(most)];
             beside[k] = low;

@@ -7,6 +7,7 @@
 
 use super::{
     answers::{Answers, Wanted},
+    least_kinks::KinkEnd,
     least_model::{HoldingCondition, Terms},
     least_newton::even_out,
     least_search::{LeastSearch, clamped},
@@ -50,10 +51,12 @@ where
     /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
+        let kinks = self.settle_between_kinks()?;
+        self.is_unproven = kinks == KinkEnd::Unknown;
         let bending = self.bending()?;
         if let Some(Bending { axes, stretch, .. }) = &bending
             && self.is_free()
-            && self.leaves_by_newton(axes, stretch)?
+            && self.leaves_by_newton(axes, stretch, kinks)?
         {
             return Ok(true);
         }

@@ -2,8 +2,13 @@
 //!
 //! Nocedal & Wright, *Numerical Optimization*, §18.1 and procedure 18.2.
 
-use super::quadratic_program::{LinearCondition, QuadraticLeast, dot, least_quadratic};
-use crate::tolerance::{CONDITION_RELATIVE, HOLDING_RELATIVE, RELAXATION_WEIGHT};
+use super::{
+    quadratic_program::{LinearCondition, QuadraticLeast, dot, least_quadratic},
+    symmetric_eigen::symmetric_axes,
+};
+use crate::tolerance::{
+    CONDITION_RELATIVE, CURVATURE_SPREAD, HOLDING_RELATIVE, LAST_BIT, RELAXATION_WEIGHT,
+};
 
 /// The share of the model's curvature below which a function bends less, after how many such steps in a row the model
 /// bends less everywhere, and to which share of itself at most.
@@ -42,6 +47,16 @@ impl Terms<'_> {
     /// How the function changes along a way.
     pub(super) fn slope(&self, way: &[f64]) -> f64 {
         dot(&self.gradients[0], way)
+    }
+
+    /// How many times as far as a way one may go along it before a linear condition breaks; once where one is already.
+    pub(super) fn room(&self, way: &[f64]) -> f64 {
+        let rooms = self.conditions(self.values).into_iter().map(|condition| {
+            let change = dot(&condition.normal, way);
+            let is_left = change < 0.0 || condition.is_equation && change != 0.0;
+            if is_left { -condition.constant / change } else { f64::INFINITY }
+        });
+        rooms.fold(f64::INFINITY, f64::min).max(1.0)
     }
 
     /// The shortest way to where the linear conditions hold, with some of them as equations; none where they
@@ -94,6 +109,12 @@ impl Terms<'_> {
         });
         given.chain(sides).collect()
     }
+}
+
+/// What a function is near a place, as far as one look at it tells: its plane there, which is below it at the place by a gap.
+pub(super) struct Plane {
+    pub(super) gradient: Vec<f64>,
+    pub(super) gap: f64,
 }
 
 /// The curvature of a function under conditions, as far as it is known.
@@ -171,6 +192,55 @@ impl CurvatureModel {
         let slack = place.pop()?.clamp(0.0, 1.0);
         multipliers.truncate(n_conditions);
         Some(ModelStep { way: place, multipliers, kept: 1.0 - slack, is_relaxed: true })
+    }
+
+    /// The step to where the greatest of some planes, with a share of the curvature, is least under the linear conditions, and
+    /// by how much it is lower there; none where rounding lets them contradict one another.
+    pub(super) fn step_below(
+        &self,
+        terms: &Terms<'_>,
+        planes: &[Plane],
+        share: f64,
+    ) -> Option<(Vec<f64>, f64)> {
+        let mut matrix = self.matrix.clone();
+        matrix.iter_mut().flatten().for_each(|part| *part *= share);
+        let given = terms.conditions(terms.values);
+        let mut first = 0;
+        for _ in 0..=2 * planes.len() {
+            // Where one of them is the greatest; as a condition on itself it says nothing.
+            let base = &planes[first];
+            let below = planes.iter().map(|plane| {
+                let parts = base.gradient.iter().zip(&plane.gradient);
+                let normal = parts.map(|(base, other)| base - other).collect();
+                LinearCondition { normal, constant: plane.gap - base.gap, is_equation: false }
+            });
+            let conditions: Vec<LinearCondition> = given.iter().cloned().chain(below).collect();
+            let found = least_quadratic(&matrix, &base.gradient, &conditions)?;
+            let pulls = &found.multipliers[given.len()..];
+            if pulls.iter().sum::<f64>() <= 1.0 + LAST_BIT.sqrt() {
+                let heights =
+                    planes.iter().map(|plane| dot(&plane.gradient, &found.place) - plane.gap);
+                let fall = -heights.fold(f64::NEG_INFINITY, f64::max);
+                return Some((found.place, fall));
+            }
+            // It holds the place off from what is lower by another one.
+            first = pulls.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?.0;
+        }
+        None
+    }
+
+    /// The curvature with what is many times the least taken for that: beside kinks, which planes tell of, it is none.
+    pub(super) fn evened(self) -> Self {
+        let n = self.matrix.len();
+        let axes = symmetric_axes(self.matrix);
+        let bends = || axes.iter().map(|(bend, _)| *bend);
+        let most = bends().fold(0.0, f64::max);
+        let least = bends().fold(most, f64::min).max(LAST_BIT * most);
+        let bend_between = |i: usize, j: usize| -> f64 {
+            let bend = |bend: f64| bend.clamp(least, CURVATURE_SPREAD * least);
+            axes.iter().map(|(along, axis)| bend(*along) * axis[i] * axis[j]).sum()
+        };
+        Self::known((0..n).map(|i| (0..n).map(|j| bend_between(i, j)).collect()).collect())
     }
 
     /// The step that goes to the same least, with the conditions as they are behind a first step.

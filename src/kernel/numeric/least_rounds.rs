@@ -160,6 +160,9 @@ where
                 _ => false,
             };
             if !goes_on {
+                if end == LeastEnd::Settled && self.is_unproven {
+                    end = LeastEnd::Unsettled;
+                }
                 break;
             }
             self.is_left = n_restarts == CONSTRAINED_RESTARTS;

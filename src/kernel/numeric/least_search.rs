@@ -10,9 +10,9 @@ use super::{
     least_trail::LeastTrail,
 };
 use crate::{
-    ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_HALVINGS, CONSTRAINED_STEPS, STALLED_STEPS},
+    ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_STEPS, STALLED_STEPS},
     tolerance::{
-        ARMIJO, CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
+        CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
         LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_STALL_RELATIVE,
         LEAST_STALL_SHARE, LEAST_STEP_RELATIVE,
     },
@@ -20,6 +20,14 @@ use crate::{
 
 /// Changes that mean nothing, together worth a way.
 const RESOLUTIONS: f64 = 100.0;
+
+/// A lower place that a step leads to.
+pub(super) struct Lower {
+    pub(super) place: Vec<f64>,
+    pub(super) values: Vec<f64>,
+    /// The weighted gradients there, where they were asked for.
+    pub(super) gradients: Option<Vec<Vec<f64>>>,
+}
 
 /// A search under way. Unknowns are those of the problem, steps are in units of `units`.
 pub(super) struct LeastSearch<'a, F> {
@@ -39,10 +47,12 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) trail: LeastTrail,
     /// How far the last place was that was lower beside an end.
     pub(super) left_by: f64,
-    /// Over how far the function is known to bend: the least way that a step of Newton's method went as it promised.
-    pub(super) bend_reach: f64,
     /// Whether places beside its end were better again and again.
     pub(super) is_left: bool,
+    /// Whether beside kinks more was promised than found.
+    pub(super) is_unproven: bool,
+    /// How steeply the function fell along each step.
+    pub(super) steepness: Vec<f64>,
     /// The penalized value where the last descent began, and where the first one did.
     pub(super) first_merit: f64,
     pub(super) start_merit: f64,
@@ -50,6 +60,8 @@ pub(super) struct LeastSearch<'a, F> {
     first_gradients: Option<Vec<Vec<f64>>>,
     /// The curvature where the next steps begin, where that was measured.
     pub(super) curvature: Option<CurvatureModel>,
+    /// The curvature that the last descent learned.
+    pub(super) learned: Option<CurvatureModel>,
     /// The penalized values beside the place at which the search settled, on both sides along each unknown.
     pub(super) beside: Vec<[f64; 2]>,
 }
@@ -80,9 +92,11 @@ where
             beside: Vec::new(),
             first_gradients: None,
             curvature: None,
+            learned: None,
             left_by: 0.0,
-            bend_reach: 1.0,
             is_left: false,
+            is_unproven: false,
+            steepness: Vec::new(),
             first_merit: 0.0,
             start_merit: 0.0,
         };
@@ -152,15 +166,33 @@ where
         Ok((place, values))
     }
 
+    /// The step from a place to another.
+    pub(super) fn way_between(&self, from: &[f64], to: &[f64]) -> Vec<f64> {
+        to.iter().zip(from).zip(&self.units).map(|((x, from), unit)| (x - from) / unit).collect()
+    }
+
     /// Goes down until no step leads further.
     pub(super) fn descend(&mut self) -> Result<LeastEnd, E> {
-        let mut gradients = self.first_gradients.take().map_or_else(|| self.gradients(), Ok)?;
+        let gradients = self.first_gradients.take().map_or_else(|| self.gradients(), Ok)?;
         self.first_merit = self.merit(&self.values);
         if magnitude(&gradients[0]) <= 0.0 && self.is_flat()? {
             return Ok(LeastEnd::Flat);
         }
         let n = self.place.len();
         let mut model = self.curvature.take().unwrap_or_else(|| CurvatureModel::new(n));
+        let end = self.descend_by(&mut model, gradients)?;
+        if !model.is_fresh() {
+            self.learned = Some(model);
+        }
+        Ok(end)
+    }
+
+    fn descend_by(
+        &mut self,
+        model: &mut CurvatureModel,
+        mut gradients: Vec<Vec<f64>>,
+    ) -> Result<LeastEnd, E> {
+        let n = self.place.len();
         let mut merit_before = f64::INFINITY;
         for n_steps in 0..CONSTRAINED_STEPS {
             // Among the roundings of differences it may go down for ever.
@@ -178,9 +210,6 @@ where
             let terms =
                 Terms { gradients: &gradients, values: &values, limits: &limits, n_equations };
             let Some(step) = model.renewed_step(&terms) else { return self.ended(gradients) };
-            if magnitude(&step.way) <= LEAST_STEP_RELATIVE * self.bend_reach {
-                return self.ended(gradients);
-            }
             self.weigh_conditions(&step);
             let broken: f64 = self
                 .problem
@@ -189,14 +218,20 @@ where
                 .map(|(broken, penalty)| broken * penalty * step.kept)
                 .sum();
             let slope = terms.slope(&step.way) - broken;
+            self.steepness.push(-slope / magnitude(&step.way));
+            if magnitude(&step.way) <= LEAST_STEP_RELATIVE {
+                return self.ended(gradients);
+            }
             if -slope <= self.resolution(magnitude(&step.way)) {
                 return self.ended(gradients);
             }
-            let Some((place, values)) = self.shortened(&terms, &model, &step.way, slope)? else {
+            let Some(Lower { place, values, gradients: there }) =
+                self.shortened(&terms, model, &step.way, slope)?
+            else {
                 if model.is_fresh() {
                     return self.ended(gradients);
                 }
-                model = CurvatureModel::new(n);
+                self.learned = Some(std::mem::replace(model, CurvatureModel::new(n)));
                 continue;
             };
             let before = std::mem::replace(&mut self.place, place);
@@ -204,10 +239,8 @@ where
             if let Some(end) = self.end_far_away() {
                 return Ok(end);
             }
-            let behind = self.gradients()?;
-            let way: Vec<f64> = (self.place.iter().zip(&before).zip(&self.units))
-                .map(|((x, before), unit)| (x - before) / unit)
-                .collect();
+            let behind = there.map_or_else(|| self.gradients(), Ok)?;
+            let way = self.way_between(&before, &self.place);
             model.learn(&way, [&gradients, &behind], &step.multipliers);
             gradients = behind;
         }
@@ -217,7 +250,7 @@ where
 
     /// A change of the penalized value over so far that means nothing: it is rounding, or next to nothing beside the fall so
     /// far, which counts only over ways that are next to none as well: an exponential function falls by as much.
-    fn resolution(&self, reach: f64) -> f64 {
+    pub(super) fn resolution(&self, reach: f64) -> f64 {
         let merit = self.merit(&self.values);
         let fall = if reach <= LEAST_FALL_REACH { self.first_merit - merit } else { 0.0 };
         (LAST_BIT * merit.abs()).max(LEAST_FALL_RELATIVE * fall)
@@ -267,47 +300,6 @@ where
                 *penalty = penalty.max(1.0) * 10.0;
             }
         }
-    }
-
-    /// How far along a step the penalized value falls enough; none where it does nowhere.
-    pub(super) fn shortened(
-        &mut self,
-        terms: &Terms<'_>,
-        model: &CurvatureModel,
-        way: &[f64],
-        slope: f64,
-    ) -> Result<Option<(Vec<f64>, Vec<f64>)>, E> {
-        let merit = self.merit(&self.values);
-        let mut share = 1.0;
-        for halving in 0..CONSTRAINED_HALVINGS {
-            let (place, values) = self.moved(way, share)?;
-            let is_enough = |merit_there: f64, share: f64| {
-                merit_there < merit && merit_there <= merit + ARMIJO * share * slope
-            };
-            let there = self.merit(&values);
-            if is_enough(there, share) {
-                return Ok(Some((place, values)));
-            }
-            // Curved conditions refuse good steps: one more that leads back to them.
-            if halving == 0 && 1 < values.len() && there.is_finite() {
-                let corrected = model.corrected(terms, way, &self.weighted(&values));
-                if let Some(corrected) = corrected {
-                    let (place, values) = self.moved(&corrected, 1.0)?;
-                    if is_enough(self.merit(&values), 1.0) {
-                        return Ok(Some((place, values)));
-                    }
-                }
-            }
-            // The parabola through what is known, not too far from one half.
-            let bend = there - merit - share * slope;
-            let part =
-                if there.is_finite() && 0.0 < bend { -0.5 * slope * share / bend } else { 0.25 };
-            share *= part.clamp(0.1, 0.5);
-            if -slope * share <= self.resolution(share * magnitude(way)) {
-                break;
-            }
-        }
-        Ok(None)
     }
 
     /// How far each unknown may go down and up from a place.

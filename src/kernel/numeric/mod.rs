@@ -27,6 +27,8 @@ pub(crate) mod least;
 mod least_beside;
 mod least_beyond;
 mod least_floor;
+mod least_kinks;
+mod least_line;
 mod least_model;
 mod least_newton;
 pub(crate) mod least_pole;

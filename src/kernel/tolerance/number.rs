@@ -357,3 +357,34 @@ pub(crate) const LEVEL_APPROACH: f64 = 0.2;
 ///
 /// Larger takes what tends to a value by few of its digits for what attains it; smaller refuses levels behind a step.
 pub(crate) const LEVEL_SHARE: f64 = 0.05;
+
+/// A search for a least value that settled where its steps are still this share as steep as some before settled beside
+/// kinks; slopes that differ by this share of themselves are those of two sides of one.
+///
+/// Larger takes kinks on gentle slopes for smooth; smaller looks for kinks where a valley is only narrow.
+pub(crate) const KINK_SLOPE_RELATIVE: f64 = 1e-3;
+
+/// Slopes on one side of a kink that differ by no more than this share of themselves are one.
+///
+/// Larger loses how a side is curved; smaller keeps planes apart that rounding makes contradict one another.
+pub(crate) const PLANE_RELATIVE: f64 = 1e-7;
+
+/// A fall that is promised beside kinks and not found counts as this fraction of the value, or of the whole fall.
+///
+/// Larger takes for least values what is none; smaller refuses values that are right to all digits that their function has.
+pub(crate) const KINK_PROMISE_RELATIVE: f64 = 1e-10;
+
+/// Differences beside kinks are taken over this fraction of the unknowns.
+///
+/// Larger mixes both sides of a kink; smaller leaves rounding.
+pub(crate) const KINK_DIFFERENCE_RELATIVE: f64 = 1e-8;
+
+/// How far beside a place such differences are taken, as a fraction of the unknowns.
+///
+/// Larger misses the sides that meet at a place; smaller takes differences across its kinks.
+pub(crate) const KINK_BESIDE_RELATIVE: f64 = 1e-7;
+
+/// How many times as much as it does least a function bends at most, as far as it has no kinks.
+///
+/// Larger takes kinks for bends, so that steps beside them are short; smaller takes narrow valleys for kinks.
+pub(crate) const CURVATURE_SPREAD: f64 = 1e8;

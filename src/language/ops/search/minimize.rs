@@ -30,6 +30,11 @@ op! {
     /// a billionth of the start and out by any power of it, and what is lower there is where the search begins anew. A level
     /// that the function only tends to, as far as numbers tell, is refused. What does not settle in 5000 steps is refused. Nocedal &
     /// Wright, *Numerical Optimization*, ch. 18, §12.5.
+    ///
+    /// Functions may have kinks, as sums of `abs` and the greatest of several have, which fit the most points or tolerate the
+    /// least: of up to 60 unknowns the planes that meet beside the answer tell that nothing near by is lower, and what they
+    /// promise without its being found is refused. Lewis & Overton, *Nonsmooth optimization via quasi-Newton methods*,
+    /// Math. Programming 141 (2013); Kiwiel, *Proximity control in bundle methods*, Math. Programming 46 (1990).
     minimize in Math -> Value {
         /// A function of the unknowns that yields a number; all may have a dimension.
         f: Spanned<Callback>,
