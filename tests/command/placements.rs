@@ -9,9 +9,6 @@ use crate::support::{Scratch, told, virote};
 const CASES: &str = include_str!("../placements/cases.geo");
 /// How far a measure may be from its closed form, as a share of it.
 const BAR: f64 = 1e-9;
-/// Where the curves are splines within the tolerance, a millionth of what is measured.
-const SPLINES: [&str; 1] = ["curve_steinmetz"];
-const SPLINE_BAR: f64 = 1e-7;
 
 /// Numbers between -1 and 1, the same each time.
 fn numbers() -> impl Iterator<Item = f64> {
@@ -53,9 +50,8 @@ fn measures_are_their_closed_forms_wherever_they_are_taken() {
             let mut n_cases = 0;
             for (name, off) in found {
                 n_cases += 1;
-                let bar = if SPLINES.contains(&name.as_str()) { SPLINE_BAR } else { BAR };
                 let off = off.as_f64().unwrap_or(f64::NAN);
-                assert!(off.abs() <= bar, "{name} is {off} off: {line}");
+                assert!(off.abs() <= BAR, "{name} is {off} off: {line}");
             }
             assert!(56 <= n_cases, "{n_cases}");
         }

@@ -20,6 +20,14 @@ let held = minimize(v => sum(rests(v, bent)), start = [0, 0, 0], within = -100..
 check held.value ~= 12.560377459493 within 1e-9
 check maximize(v => -max(rests(v, bent)), start = [1, 1, 1], report = true).value ~= -0.990318553155 within 1e-9
 
+// From the bottom of one valley, where no way down leads off the kink.
+fn crossed(v) = 30*abs(v[0] + v[1] - 1) + abs(v[0] - 2*v[1] - 4)
+check minimize(crossed, start = [5, -4]) ~= [2, -1] within 1e-7
+fn nesterov(v) = (v[0] - 1)^2 / 4 + abs(v[1] - 2*v[0]^2 + 1)
+check minimize(nesterov, start = [-1, 1], report = true).value ~= 0 within 1e-9
+let inside = minimize(v => -v[0] + 20*max(v[0]^2 + v[1]^2 - 1, 0), start = [0.8, 0.6])
+check inside ~= [1, 0] within 1e-6
+
 // Where three of four smooth functions meet: the circle around a triangle is the least around its corners.
 let corners = [(0, 0), (4, 0), (1, 3), (2, 1)]
 let around = minimize(p => max([for c in corners: norm(p - c)]), start = (9, -7), report = true)

@@ -1,6 +1,6 @@
 //! What several functions of several unknowns answer, with derivatives or without.
 
-use crate::tolerance::DIFFERENCE_RELATIVE;
+use crate::tolerance::{DIFFERENCE_RELATIVE, KINK_SIDE_RELATIVE};
 
 /// What functions are asked for at a place.
 ///
@@ -55,11 +55,14 @@ pub(super) struct CountedFunctions<F> {
     pub(super) has_differences: bool,
     /// The part of each unknown's size over which they are.
     pub(super) reach: f64,
+    /// Whether the functions had none where they were asked for some beside a place without.
+    is_without: bool,
 }
 
 impl<F> CountedFunctions<F> {
     pub(super) fn new(functions: F) -> Self {
-        Self { functions, n_evaluations: 0, has_differences: false, reach: DIFFERENCE_RELATIVE }
+        let reach = DIFFERENCE_RELATIVE;
+        Self { functions, n_evaluations: 0, has_differences: false, reach, is_without: false }
     }
 
     /// The values at a place.
@@ -71,8 +74,9 @@ impl<F> CountedFunctions<F> {
         (self.functions)(place, Wanted::Values).map(|answers| answers.values)
     }
 
-    /// The gradient of each function at a place: the functions' own, or by differences over a part of each
-    /// unknown's size on both sides, or on one where the other is outside of its bounds or has no value.
+    /// The gradient of each function at a place: the functions' own; at a kink, where they have none, those of one of its
+    /// sides; or by differences over a part of each unknown's size on both sides, or on one where the other is outside of
+    /// its bounds or has no value.
     pub(super) fn gradients<E>(
         &mut self,
         place: &[f64],
@@ -85,6 +89,14 @@ impl<F> CountedFunctions<F> {
         let own = (self.functions)(place, Wanted::Gradients)?;
         if let Some(gradients) = own.gradients {
             return Ok(gradients);
+        }
+        if !self.is_without {
+            self.n_evaluations += 1;
+            let side = beside(place, bounds, KINK_SIDE_RELATIVE, self.n_evaluations);
+            match (self.functions)(&side, Wanted::Gradients) {
+                Ok(Answers { gradients: Some(gradients), .. }) => return Ok(gradients),
+                _ => self.is_without = true,
+            }
         }
         self.has_differences = true;
         let size = place.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -110,4 +122,18 @@ impl<F> CountedFunctions<F> {
         }
         Ok(gradients)
     }
+}
+
+/// A place beside another one within bounds, by a part of each unknown's size, and of each by another one: so what unknowns
+/// are beside together, as kinks along diagonals, is left as well. To other sides at each turn.
+pub(super) fn beside(place: &[f64], bounds: &[[f64; 2]], part: f64, turn: usize) -> Vec<f64> {
+    let most = place.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let most = if 0.0 < most { most } else { 1.0 };
+    let shifted = place.iter().enumerate().map(|(k, &x)| {
+        let size = x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * most);
+        let side = libm::sin(3.0 * k as f64 + 0.7 * turn as f64);
+        let [low, high] = bounds.get(k).copied().unwrap_or([-f64::INFINITY, f64::INFINITY]);
+        (x + part * size * (0.7 + 0.3 * side.abs()).copysign(side)).max(low).min(high)
+    });
+    shifted.collect()
 }

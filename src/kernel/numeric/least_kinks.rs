@@ -7,16 +7,17 @@
 //! Sagastizábal, *Numerical Optimization*, ch. 10.
 
 use super::{
-    answers::{Answers, Wanted},
+    answers::{Answers, Wanted, beside},
     least_model::{CurvatureModel, Plane, Terms, magnitude},
-    least_search::{LeastSearch, clamped},
+    least_search::LeastSearch,
     quadratic_program::dot,
 };
 use crate::{
     ceiling::{KINK_LOOKS, KINK_STEPS, KINK_UNKNOWNS, SETTLING_STEPS},
     tolerance::{
-        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE, KINK_PROMISE_RELATIVE,
-        KINK_SLOPE_RELATIVE, LAST_BIT, LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
+        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_CONTRADICTION_RELATIVE,
+        KINK_DIFFERENCE_RELATIVE, KINK_PROMISE_RELATIVE, KINK_SLOPE_RELATIVE, LAST_BIT,
+        LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
     },
 };
 
@@ -72,10 +73,10 @@ where
         last.copied().fold(0.0, f64::max)
     }
 
-    /// Whether the search settled without its slopes becoming less.
+    /// Whether the search settled without its slopes becoming less, or never came away from the start.
     fn is_steep(&self) -> bool {
         let least = KINK_SLOPE_RELATIVE * self.steepest();
-        1 < self.steepness.len() && self.steepness.last().is_some_and(|end| least <= *end)
+        self.steepness.last().is_some_and(|end| least <= *end)
     }
 
     /// Goes to the least value between the kinks beside the place.
@@ -115,8 +116,14 @@ where
                 limits: &self.limits(&self.place),
                 n_equations: self.problem.n_equations,
             };
-            let Some((way, fall)) = model.step_below(&terms, &planes.known, planes.share) else {
+            let broken = self.problem.broken(terms.values).zip(&self.penalties);
+            let mended = broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
+            let step = model.step_below(&terms, &planes.known, planes.share);
+            // To stay promises nothing: planes that promise less contradict one another.
+            let least = -self.scale() * KINK_CONTRADICTION_RELATIVE;
+            let Some((way, fall)) = step.filter(|(_, fall)| least <= fall + mended) else {
                 n_given_up += 1;
+                promised = f64::INFINITY;
                 if MOST_GIVEN_UP < n_given_up {
                     break;
                 }
@@ -124,8 +131,7 @@ where
                 planes.share /= LONGER * LONGER;
                 continue;
             };
-            let broken = self.problem.broken(terms.values).zip(&self.penalties);
-            promised = fall + broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
+            promised = fall + mended;
             let (here, reach) = (self.merit(&self.values), magnitude(&way));
             let is_nothing = promised <= planes.floor.max(rounding);
             if !is_nothing && self.is_lower(here - promised, reach) {
@@ -191,14 +197,8 @@ where
         if !self.asked.has_differences {
             return Ok((self.gradients_at(place)?, 0.0));
         }
-        let turn = self.asked.n_evaluations as f64;
-        let size = magnitude(place);
-        let beside = place.iter().enumerate().map(|(k, x)| {
-            let size = x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
-            let part = libm::sin(3.0 * k as f64 + 0.7 * turn);
-            x + KINK_BESIDE_RELATIVE * size * (0.7 + 0.3 * part.abs()).copysign(part)
-        });
-        let beside = clamped(&beside.collect::<Vec<_>>(), self.problem.bounds);
+        let turn = self.asked.n_evaluations;
+        let beside = beside(place, self.problem.bounds, KINK_BESIDE_RELATIVE, turn);
         let there = self.asked.values(&beside)?;
         let slopes = self.gradients_at(&beside)?;
         let back = dot(&slopes[0], &self.way_between(place, &beside));
@@ -207,8 +207,13 @@ where
 
     /// A fall that counts for nothing beside the value and the fall so far.
     fn little(&self) -> f64 {
+        KINK_PROMISE_RELATIVE * self.scale()
+    }
+
+    /// The size of the value, or of the fall so far.
+    fn scale(&self) -> f64 {
         let here = self.merit(&self.values);
-        KINK_PROMISE_RELATIVE * here.abs().max(self.start_merit - here)
+        here.abs().max(self.start_merit - here)
     }
 
     /// What the value may be wrong by where the unknowns are by their last bits.
