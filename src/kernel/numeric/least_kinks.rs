@@ -15,9 +15,8 @@ use super::{
 use crate::{
     ceiling::{KINK_LOOKS, KINK_STEPS, KINK_UNKNOWNS, SETTLING_STEPS},
     tolerance::{
-        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_CONTRADICTION_RELATIVE,
-        KINK_DIFFERENCE_RELATIVE, KINK_PROMISE_RELATIVE, KINK_SLOPE_RELATIVE, LAST_BIT,
-        LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
+        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE, KINK_PROMISE_RELATIVE,
+        KINK_SLOPE_RELATIVE, LAST_BIT, LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
     },
 };
 
@@ -116,14 +115,8 @@ where
                 limits: &self.limits(&self.place),
                 n_equations: self.problem.n_equations,
             };
-            let broken = self.problem.broken(terms.values).zip(&self.penalties);
-            let mended = broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
-            let step = model.step_below(&terms, &planes.known, planes.share);
-            // To stay promises nothing: planes that promise less contradict one another.
-            let least = -self.scale() * KINK_CONTRADICTION_RELATIVE;
-            let Some((way, fall)) = step.filter(|(_, fall)| least <= fall + mended) else {
+            let Some((way, fall)) = model.step_below(&terms, &planes.known, planes.share) else {
                 n_given_up += 1;
-                promised = f64::INFINITY;
                 if MOST_GIVEN_UP < n_given_up {
                     break;
                 }
@@ -131,7 +124,8 @@ where
                 planes.share /= LONGER * LONGER;
                 continue;
             };
-            promised = fall + mended;
+            let broken = self.problem.broken(terms.values).zip(&self.penalties);
+            promised = fall + broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
             let (here, reach) = (self.merit(&self.values), magnitude(&way));
             let is_nothing = promised <= planes.floor.max(rounding);
             if !is_nothing && self.is_lower(here - promised, reach) {
@@ -207,13 +201,8 @@ where
 
     /// A fall that counts for nothing beside the value and the fall so far.
     fn little(&self) -> f64 {
-        KINK_PROMISE_RELATIVE * self.scale()
-    }
-
-    /// The size of the value, or of the fall so far.
-    fn scale(&self) -> f64 {
         let here = self.merit(&self.values);
-        here.abs().max(self.start_merit - here)
+        KINK_PROMISE_RELATIVE * here.abs().max(self.start_merit - here)
     }
 
     /// What the value may be wrong by where the unknowns are by their last bits.

@@ -374,11 +374,6 @@ pub(crate) const PLANE_RELATIVE: f64 = 1e-7;
 /// Larger takes for least values what is none; smaller refuses values that are right to all digits that their function has.
 pub(crate) const KINK_PROMISE_RELATIVE: f64 = 1e-10;
 
-/// Planes that promise a rise by more than this fraction of the value, or of the whole fall, contradict one another.
-///
-/// Larger takes a place on a bent kink for a least value; smaller refuses values that are rounded.
-pub(crate) const KINK_CONTRADICTION_RELATIVE: f64 = 1e-6;
-
 /// Differences beside kinks are taken over this fraction of the unknowns.
 ///
 /// Larger mixes both sides of a kink; smaller leaves rounding.
