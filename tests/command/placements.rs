@@ -32,10 +32,10 @@ fn measures_are_their_closed_forms_wherever_they_are_taken() {
         let scratch = Scratch::new(&format!("placements-{size}"));
         let tolerance = format!("tolerance {}", 1e-6 * size);
         assert!(CASES.contains("\ntolerance 1e-6\n"));
-        scratch.file("cases.geo", &CASES.replace("tolerance 1e-6", &tolerance));
+        scratch.file("cases.geo", CASES.replace("tolerance 1e-6", &tolerance));
         let rows = placements.iter().map(|row| row.map(|x| format!("{x},")).concat());
         let rows: String = rows.map(|row| format!("{row}{size}\n")).collect();
-        scratch.file("plan.csv", &format!("turn [deg],ax,ay,az,sx,sy,sz,size\n{rows}"));
+        scratch.file("plan.csv", format!("turn [deg],ax,ay,az,sx,sy,sz,size\n{rows}"));
         let study = ["study", "cases.geo", "plan.csv", "-o", "r.jsonl"];
         let output = virote(&scratch.0).args(study).output().expect("the command runs");
         let (_, err, code) = told(&output);

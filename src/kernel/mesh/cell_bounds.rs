@@ -238,7 +238,7 @@ impl CellBounds {
             let (lowest, highest) = (steps[0], steps[steps.len() - 1]);
             // What a row breaks a higher one of alike pieces breaks as well.
             let mut found = faults(lowest);
-            let is_of_all = lowest.0 == highest.0 || found == faults(highest);
+            let is_of_all = steps.len() == 1 || found == faults(highest);
             for step in steps {
                 // Whoever asked looks at that as well.
                 if !work::goes_on(1) {
