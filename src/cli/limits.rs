@@ -1,5 +1,7 @@
 //! `--limit NAME=VALUE`: ceilings moved for a run.
 
+use std::sync::LazyLock;
+
 use crate::{
     diag::nearest,
     limits::{Ceiling, Limits},
@@ -50,17 +52,20 @@ pub(super) fn moved_from(mut limits: Limits, moves: &[MovedCeiling]) -> Limits {
     limits
 }
 
-/// The ceilings with their defaults, for the help.
-pub(super) fn help() -> String {
-    let mut text = "Moves a ceiling; may be given several times\n\n".to_owned();
-    for ceiling in Ceiling::ALL {
-        let mut bounds = format!("default {}", grouped(ceiling.of(&Limits::DEFAULT)));
-        if ceiling.most < Ceiling::OPEN {
-            bounds.push_str(&format!(", at most {}", grouped(ceiling.most)));
+/// The ceilings with their defaults, for the help. Every start of the command asks for it, once for each of its verbs.
+pub(super) fn help() -> &'static str {
+    static HELP: LazyLock<String> = LazyLock::new(|| {
+        let mut text = "Moves a ceiling; may be given several times\n\n".to_owned();
+        for ceiling in Ceiling::ALL {
+            let mut bounds = format!("default {}", grouped(ceiling.of(&Limits::DEFAULT)));
+            if ceiling.most < Ceiling::OPEN {
+                bounds.push_str(&format!(", at most {}", grouped(ceiling.most)));
+            }
+            text.push_str(&format!("- {}: {} [{bounds}]\n", ceiling.name, ceiling.docs));
         }
-        text.push_str(&format!("- {}: {} [{bounds}]\n", ceiling.name, ceiling.docs));
-    }
-    text
+        text
+    });
+    &HELP
 }
 
 /// A number with its digits in groups of three.

@@ -80,6 +80,22 @@ pub(crate) fn cut_off(points: &mut [DVec4], fraction: f64, mut keep: impl FnMut(
     }
 }
 
+/// Makes the part from `low` to `high` of a curve of the whole, whose points stand `stride` apart: as [`cut_at`] at
+/// `high` and of what is before it at `low`.
+pub(crate) fn keep_between(points: &mut [DVec4], stride: usize, [low, high]: [f64; 2]) {
+    let n_points = points.len().div_ceil(stride);
+    for n_done in 1..n_points {
+        for i in (n_done..n_points).rev() {
+            points[i * stride] = blend(points[(i - 1) * stride], points[i * stride], high);
+        }
+    }
+    for n_left in (1..n_points).rev() {
+        for i in 0..n_left {
+            points[i * stride] = blend(points[i * stride], points[(i + 1) * stride], low / high);
+        }
+    }
+}
+
 /// The net of the Bézier patch that a tensor-product spline is over a pair of spans.
 pub(crate) fn patch(
     knots: [&KnotVector; 2],

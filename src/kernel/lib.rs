@@ -98,7 +98,7 @@
 //!
 //! - Through points: [`Interpolator`] at parameters by [`Parametrization`], with [`Ends`]; [`lagrange`].
 //! - Near points: [`Approximator`], [`approximate`], [`approximate_within`] a tolerance.
-//! - Grids of points: [`FirstPass`] with a [`LineFit`], [`columns_within`], [`surface_within`].
+//! - Grids of points: [`FirstPass`] with a [`LineFit`], [`columns_within`], [`surface_within`]; where these move [`GridLines`].
 //! - Of rates: [`find_trajectory`] gives a [`Trajectory`], [`NurbsCurve::of_trajectory`]; of rates in branches [`find_branched_trajectory`].
 //! - Of functions: [`ParametricCurve::to_nurbs`], [`ParametricSurface::to_nurbs`], [`Curve::nurbs_within`].
 //!
@@ -176,8 +176,8 @@ pub use error::{
 };
 pub use failure::FunctionFailure;
 pub use fit::{
-    Approximator, Ends, FirstPass, Interpolator, LineFit, Lines, Parametrization, approximate,
-    approximate_within, check_parameters, columns_within, interpolate_varied,
+    Approximator, Ends, FirstPass, GridLines, Interpolator, LineFit, Lines, Parametrization,
+    approximate, approximate_within, check_parameters, columns_within, interpolate_varied,
     interpolate_varied_ring, lagrange, surface_within,
 };
 pub use frame::{Frame, unit};

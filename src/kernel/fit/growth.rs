@@ -49,8 +49,13 @@ impl Parametrization {
 }
 
 impl LegGrowths {
+    /// Along what each step grows.
+    pub(super) fn along(&self) -> &[DVec3] {
+        &self.legs
+    }
+
     /// How something grows with each step, from its growths with the parameters, the first and last of which stay.
-    fn with_steps(&self, parameters: &[f64], growths: &[DVec4]) -> Vec<DVec3> {
+    pub(super) fn with_steps(&self, parameters: &[f64], growths: &[DVec4]) -> Vec<DVec3> {
         let inner = 1..parameters.len() - 1;
         let held: DVec4 = inner.clone().map(|i| growths[i] * parameters[i]).sum();
         let mut all = vec![-held.truncate() / self.sum; self.legs.len()];
@@ -93,12 +98,9 @@ pub(super) fn fixed_slopes_asked(fit: &Interpolator, slopes: &PointSlopes) -> Op
         let own = |(_, own): &(usize, Vec<DVec4>)| forward.through(own).ok();
         given.by_variable().iter().map(own).collect()
     };
-    let of = move |factors: &[f64]| {
-        let (mut by_value, ends) = fit.transposed(factors.to_vec());
-        for (is_last, (row, growth)) in [false, true].into_iter().zip(ends) {
-            add_end_values(row, is_last, growth, &mut by_value);
-        }
-        PointGrowths { by_value, steps: Vec::new() }
+    let of = move |factors: &[f64]| PointGrowths {
+        by_value: fit.value_growths(factors.to_vec()),
+        steps: Vec::new(),
     };
     Some(asked(slopes, n_points, of, Box::new(all)))
 }
@@ -166,6 +168,15 @@ fn add_end_values(row: EndRow, is_last: bool, growth: f64, by_value: &mut [f64])
 }
 
 impl Interpolator {
+    /// How a sum of control points with these factors grows with each value, at parameters that stay.
+    pub(super) fn value_growths(&self, factors: Vec<f64>) -> Vec<f64> {
+        let (mut by_value, ends) = self.transposed(factors);
+        for (is_last, (row, growth)) in [false, true].into_iter().zip(ends) {
+            add_end_values(row, is_last, growth, &mut by_value);
+        }
+        by_value
+    }
+
     /// How a sum of control points with these factors grows with each value by its own equation, and with the right-hand
     /// sides of the conditions at both ends.
     pub(super) fn transposed(&self, mut factors: Vec<f64>) -> (Vec<f64>, Vec<(EndRow, f64)>) {

@@ -4,7 +4,7 @@
 //! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
 //! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point,
-//! `varied_spline` the curves that vary so, `moving_surface` of surfaces, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! `varied_spline` the curves that vary so, `moving_grid` surfaces through grids, `moving_surface` surfaces whose rows are splines, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
@@ -16,6 +16,7 @@ mod kinks;
 mod lagrange;
 mod least;
 mod moving;
+mod moving_grid;
 mod moving_skin;
 mod moving_surface;
 mod parameters;
@@ -37,6 +38,7 @@ pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub(crate) use least::FitCondition;
+pub use moving_grid::GridLines;
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
 pub use varied_spline::{interpolate_varied, interpolate_varied_ring};

@@ -1,71 +1,59 @@
-//! Surfaces whose lines are splines through points or sections, where the parameters of these move.
+//! Surfaces whose rows are splines through sections, where the parameters of these move.
 
 use std::ops::RangeInclusive;
 
-use glam::{DVec3, DVec4};
+use glam::DVec4;
 
 use super::{
-    Ends, Interpolator, Parametrization,
+    Ends, Interpolator,
     moving::{MovingSpline, SplineSpeeds},
     section_steps::SectionSteps,
 };
 use crate::{
-    Direction, GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters,
-    VariedSurface,
+    GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters, VariedSurface,
     tolerance::EXACT_RELATIVE,
     varied::knots::{simple_inner, with_knots_twice},
 };
 
 impl VariedSurface {
-    /// The surface whose lines along a direction are the splines that [`Interpolator::new`] makes of a degree and
-    /// ends at parameters, where these move too: on knots that do not move. None where the lines are others or have no slopes.
-    ///
-    /// # Errors
-    /// Where the work is ended.
-    pub fn with_moving_parameters(
+    /// The surface whose rows are the splines that [`Interpolator::new`] makes of a degree at parameters, where these
+    /// move too: on knots that do not move. None where the rows are others or have no slopes.
+    fn with_moving_parameters(
         &self,
-        along: Direction,
-        (degree, ends): (usize, Ends),
+        degree: usize,
         parameters: &[f64],
         speeds: &[(usize, Vec<f64>)],
     ) -> Result<Option<Self>, GeomError> {
         let surface = self.surface();
-        let fit = Interpolator::new(parameters, degree, ends)?;
-        let knots = match along {
-            Direction::U => surface.knots_u(),
-            Direction::V => surface.knots_v(),
-        };
+        let fit = Interpolator::new(parameters, degree, Ends::Averaged)?;
+        let knots = surface.knots_v();
         if fit.knots() != knots {
             return Ok(None);
         }
         let net = surface.control_points();
         let n_variables = self.slopes().n_variables();
-        let lines = lines_of(net.as_slice(), net, along);
-        let Some(moving) = MovingLines::new((&fit, ends), parameters, &lines, speeds)? else {
+        let rows = rows_of(net.as_slice(), net);
+        let Some(moving) = MovingRows::new(&fit, parameters, &rows, speeds)? else {
             return Ok(None);
         };
         let own = self.slopes().by_variable();
-        let twice = own_lines_twice(knots, own, net, along)?;
+        let twice = own_rows_twice(knots, own, net)?;
         let by_variable = (0..n_variables).filter_map(|variable| {
             let own = own.iter().position(|(idx, _)| *idx == variable);
             let moved = speeds.iter().position(|(idx, _)| *idx == variable);
             (own.is_some() || moved.is_some()).then(|| {
-                let mut all = moving.slopes(moved, along);
-                for (line, points) in own.into_iter().flat_map(|own| &twice[own]) {
-                    moving.add(&mut all, along, *line, (points, 1.0));
+                let mut all = moving.slopes(moved);
+                for (row, points) in own.into_iter().flat_map(|own| &twice[own]) {
+                    moving.add(&mut all, *row, (points, 1.0));
                 }
                 (variable, all)
             })
         });
         let by_variable = by_variable.collect();
-        let net = net_of(&with_knots_twice(knots, lines)?, along)?;
+        let net = Grid::from_rows(with_knots_twice(knots, rows)?)?;
         let twice = knots.with(simple_inner(knots).unwrap_or(&[]));
-        let [u, v] = match along {
-            Direction::U => [twice, surface.knots_v().clone()],
-            Direction::V => [surface.knots_u().clone(), twice],
-        };
         let slopes = PointSlopes::new(n_variables, net.as_slice().len(), by_variable)?;
-        let fixed = NurbsSurface::new(u, v, net)?;
+        let fixed = NurbsSurface::new(surface.knots_u().clone(), twice, net)?;
         Self::new(fixed.into(), slopes).map(Some)
     }
 
@@ -104,28 +92,28 @@ impl VariedSurface {
             let Some(own) = steps.speeds(moving) else { return Ok(None) };
             speeds.push((*variable, own));
         }
-        self.with_moving_parameters(Direction::V, (degree, Ends::Averaged), parameters, &speeds)
+        self.with_moving_parameters(degree, parameters, &speeds)
     }
 }
 
-/// What lines do where the parameters of their points move.
-struct MovingLines {
+/// What rows do where the parameters of their points move.
+struct MovingRows {
     /// How fast the parameters move by each variable, in terms of `by_speed`.
     shares: Vec<Vec<f64>>,
-    /// Control points of each line, for each speed.
+    /// Control points of each row, for each speed.
     by_speed: Vec<Vec<Vec<DVec4>>>,
-    /// How many there are of a line.
+    /// How many there are of a row.
     n_points: usize,
 }
 
-impl MovingLines {
-    /// Of lines on the knots of a spline; none where they are not the splines through their points, or have no slopes.
+impl MovingRows {
+    /// Of rows on the knots of a spline; none where they are not the splines through their points, or have no slopes.
     ///
     /// All speeds are sums of those of the single parameters, which are looked at where they are fewer.
     fn new(
-        (fit, ends): (&Interpolator, Ends),
+        fit: &Interpolator,
         parameters: &[f64],
-        lines: &[Vec<DVec4>],
+        rows: &[Vec<DVec4>],
         speeds: &[(usize, Vec<f64>)],
     ) -> Result<Option<Self>, GeomError> {
         let moves = |&k: &usize| speeds.iter().any(|(_, own)| own[k] != 0.0);
@@ -140,12 +128,13 @@ impl MovingLines {
             (speeds.iter().map(own).collect(), alone.collect())
         };
         let tangents = [DVec4::ZERO; 2];
-        let mut by_speed = Vec::with_capacity(lines.len());
-        for line in lines {
+        let mut by_speed = Vec::with_capacity(rows.len());
+        for row in rows {
             let values: Vec<DVec4> =
-                parameters.iter().map(|&t| homogeneous_at(fit.knots(), line, t)).collect();
+                parameters.iter().map(|&t| homogeneous_at(fit.knots(), row, t)).collect();
+            let ends = Ends::Averaged;
             let spline = MovingSpline::new((fit, ends), parameters, &values, tangents)?;
-            let Some(spline) = spline.filter(|spline| are_near(spline.points(), line)) else {
+            let Some(spline) = spline.filter(|spline| are_near(spline.points(), row)) else {
                 return Ok(None);
             };
             let values = &vec![DVec4::ZERO; values.len()];
@@ -159,34 +148,23 @@ impl MovingLines {
         Ok(Some(Self { shares, by_speed, n_points }))
     }
 
-    /// The slopes of the net of all lines by one of the variables; none move by none.
-    fn slopes(&self, variable: Option<usize>, along: Direction) -> Vec<DVec4> {
+    /// The slopes of the net of all rows by one of the variables; none move by none.
+    fn slopes(&self, variable: Option<usize>) -> Vec<DVec4> {
         let mut all = vec![DVec4::ZERO; self.by_speed.len() * self.n_points];
         let Some(variable) = variable else { return all };
-        for (line, by_speed) in self.by_speed.iter().enumerate() {
+        for (row, by_speed) in self.by_speed.iter().enumerate() {
             for (points, &share) in by_speed.iter().zip(&self.shares[variable]) {
                 if share != 0.0 {
-                    self.add(&mut all, along, line, (points, share));
+                    self.add(&mut all, row, (points, share));
                 }
             }
         }
         all
     }
 
-    /// Adds a share of control points of a line to those of a net.
-    fn add(
-        &self,
-        net: &mut [DVec4],
-        along: Direction,
-        line: usize,
-        (points, share): (&[DVec4], f64),
-    ) {
-        let n_lines = self.by_speed.len();
-        let [first, step] = match along {
-            Direction::V => [line * self.n_points, 1],
-            Direction::U => [line, n_lines],
-        };
-        let own = net[first..].iter_mut().step_by(step);
+    /// Adds a share of control points of a row to those of a net.
+    fn add(&self, net: &mut [DVec4], row: usize, (points, share): (&[DVec4], f64)) {
+        let own = net[row * self.n_points..].iter_mut();
         own.zip(points).for_each(|(sum, &point)| *sum += point * share);
     }
 }
@@ -195,69 +173,31 @@ fn unit(n: usize, along: usize) -> Vec<f64> {
     (0..n).map(|k| if k == along { 1.0 } else { 0.0 }).collect()
 }
 
-/// For each variable the lines of slopes that are not zero, over the knots of which each inner one stands twice.
-fn own_lines_twice(
+/// For each variable the rows of slopes that are not zero, over the knots of which each inner one stands twice.
+fn own_rows_twice(
     knots: &KnotVector,
     slopes: &[(usize, Vec<DVec4>)],
     net: &Grid<DVec4>,
-    along: Direction,
 ) -> Result<Vec<Vec<(usize, Vec<DVec4>)>>, GeomError> {
-    let (mut places, mut lines) = (Vec::new(), Vec::new());
+    let (mut places, mut rows) = (Vec::new(), Vec::new());
     for (variable, (_, slopes)) in slopes.iter().enumerate() {
-        for (idx, line) in lines_of(slopes, net, along).into_iter().enumerate() {
-            if line.iter().any(|slope| *slope != DVec4::ZERO) {
+        for (idx, row) in rows_of(slopes, net).into_iter().enumerate() {
+            if row.iter().any(|slope| *slope != DVec4::ZERO) {
                 places.push((variable, idx));
-                lines.push(line);
+                rows.push(row);
             }
         }
     }
     let mut all = vec![Vec::new(); slopes.len()];
-    for ((variable, idx), line) in places.into_iter().zip(with_knots_twice(knots, lines)?) {
-        all[variable].push((idx, line));
+    for ((variable, idx), row) in places.into_iter().zip(with_knots_twice(knots, rows)?) {
+        all[variable].push((idx, row));
     }
     Ok(all)
 }
 
-impl Parametrization {
-    /// How fast the means of the parameters of rows of points move with these: by each variable. None by
-    /// [`Parametrization::Foley`], and where points of a row are at one place.
-    ///
-    /// # Errors
-    /// As for [`Self::mean_parameters`].
-    pub fn mean_speeds(
-        self,
-        rows: &Grid<DVec3>,
-        slopes: &[(usize, Grid<DVec3>)],
-    ) -> Result<Option<Vec<(usize, Vec<f64>)>>, GeomError> {
-        let n = rows.n_rows() as f64;
-        let mut all = Vec::new();
-        for (variable, slopes) in slopes {
-            let mut sums = vec![0.0; rows.n_columns()];
-            for i in 0..rows.n_rows() {
-                let row = rows.row(i);
-                let parameters = self.parameters(row)?;
-                let own: Vec<DVec4> = slopes.row(i).iter().map(|slope| slope.extend(0.0)).collect();
-                let Some(speeds) = self.speeds(row, &parameters, &own) else { return Ok(None) };
-                sums.iter_mut().zip(speeds).for_each(|(sum, speed)| *sum += speed / n);
-            }
-            all.push((*variable, sums));
-        }
-        Ok(Some(all))
-    }
-}
-
-/// Rows or columns of a net, or of slopes in its order.
-fn lines_of(points: &[DVec4], net: &Grid<DVec4>, along: Direction) -> Vec<Vec<DVec4>> {
-    let n = net.n_columns();
-    match along {
-        Direction::V => points.chunks_exact(n).map(<[DVec4]>::to_vec).collect(),
-        Direction::U => (0..n).map(|j| points[j..].iter().step_by(n).copied().collect()).collect(),
-    }
-}
-
-fn net_of(lines: &[Vec<DVec4>], along: Direction) -> Result<Grid<DVec4>, GeomError> {
-    let grid = Grid::from_rows(lines.to_vec())?;
-    Ok(if along == Direction::U { grid.transposed() } else { grid })
+/// Rows of a net, or of slopes in its order.
+fn rows_of(points: &[DVec4], net: &Grid<DVec4>) -> Vec<Vec<DVec4>> {
+    points.chunks_exact(net.n_columns()).map(<[DVec4]>::to_vec).collect()
 }
 
 fn homogeneous_at(knots: &KnotVector, line: &[DVec4], t: f64) -> DVec4 {

@@ -39,6 +39,9 @@ pub(super) struct BezierPatch {
     degrees: [usize; 2],
     net: Vec<DVec4>,
     strip: Vec<DVec4>,
+    /// The net of a part, and the places of its points.
+    part: Vec<DVec4>,
+    places: Vec<DVec3>,
     bases: [Basis; 2],
 }
 
@@ -107,7 +110,8 @@ impl BezierPatch {
             bends: vec![0.0; degree + 1],
         };
         let net = vec![DVec4::ZERO; (degrees[0] + 1) * (degrees[1] + 1)];
-        Self { degrees, strip: net.clone(), net, bases: degrees.map(basis) }
+        let (part, places) = (Vec::with_capacity(net.len()), Vec::with_capacity(net.len()));
+        Self { degrees, strip: net.clone(), net, part, places, bases: degrees.map(basis) }
     }
 
     /// Becomes the patch over a pair of spans, seen from `p` with lengths multiplied by `unit`.
@@ -163,12 +167,14 @@ impl BezierPatch {
     ///
     /// Of a thin part that is slanted against the parameters the squares of distances say little: what is large in
     /// them along the part comes and goes between coefficients, and what is small across it tells how far it is.
-    pub(super) fn is_part_beyond(&self, cell: PatchPart, limit: f64) -> bool {
-        let net = self.part(cell);
-        if !net.iter().all(|point| 0.0 < point.w) {
+    pub(super) fn is_part_beyond(&mut self, cell: PatchPart, limit: f64) -> bool {
+        self.narrow_to(cell);
+        if !self.part.iter().all(|point| 0.0 < point.w) {
             return false;
         }
-        let places: Vec<DVec3> = net.iter().map(|&point| homogeneous::place(point)).collect();
+        self.places.clear();
+        self.places.extend(self.part.iter().map(|&point| homogeneous::place(point)));
+        let places = &self.places;
         let reach = |place: &&DVec3| place.distance_squared(places[0]);
         let furthest = places.iter().max_by(|a, b| reach(a).total_cmp(&reach(b)));
         let along = furthest.and_then(|far| (*far - places[0]).try_normalize());
@@ -178,20 +184,18 @@ impl BezierPatch {
         places.iter().all(|place| limit <= place.dot(across))
     }
 
-    /// The net of a part.
-    fn part(&self, cell: PatchPart) -> Vec<DVec4> {
-        let cut = |line: &[DVec4], i: usize| {
-            if line.len() == 1 {
-                return line.to_vec();
-            }
-            let (low, high) = (cell.low[i], cell.high[i]);
-            let (below, _) = bezier::cut_at(line, high);
-            bezier::cut_at(&below, low / high).1
-        };
+    /// Has the net of a part in `part`.
+    fn narrow_to(&mut self, cell: PatchPart) {
         let n_v = self.degrees[1] + 1;
-        let rows: Vec<Vec<DVec4>> = self.net.chunks_exact(n_v).map(|row| cut(row, 1)).collect();
-        let column = |j: usize| cut(&rows.iter().map(|row| row[j]).collect::<Vec<_>>(), 0);
-        (0..n_v).flat_map(column).collect()
+        self.part.clear();
+        self.part.extend_from_slice(&self.net);
+        let [along_u, along_v] = [0, 1].map(|i| [cell.low[i], cell.high[i]]);
+        for row in self.part.chunks_exact_mut(n_v) {
+            bezier::keep_between(row, 1, along_v);
+        }
+        for j in 0..n_v {
+            bezier::keep_between(&mut self.part[j..], n_v, along_u);
+        }
     }
 
     /// The box of the control points; without bounds where a weight is not positive.

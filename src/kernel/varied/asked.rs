@@ -1,7 +1,14 @@
 //! Slopes of control points that are made where they are asked for: few of them act at a place of a curve, and what is
 //! integrated along it asks for one sum of all.
 
-use std::{fmt, ops::Range, sync::OnceLock};
+use std::{
+    fmt,
+    ops::Range,
+    sync::{
+        OnceLock,
+        atomic::{AtomicUsize, Ordering},
+    },
+};
 
 use glam::{DVec3, DVec4};
 
@@ -28,6 +35,8 @@ pub(super) struct AskedSlopes {
     ways: SlopeWays,
     /// Those of each point, by each of the variables.
     by_point: Vec<OnceLock<Vec<DVec3>>>,
+    /// How many sums were found as such, not by their points.
+    n_sums: AtomicUsize,
     /// All of them.
     listed: OnceLock<ListedSlopes>,
 }
@@ -41,7 +50,7 @@ impl fmt::Debug for AskedSlopes {
 impl AskedSlopes {
     pub(super) fn new(n_points: usize, variables: Vec<usize>, ways: SlopeWays) -> Self {
         let by_point = std::iter::repeat_with(OnceLock::new).take(n_points).collect();
-        Self { variables, ways, by_point, listed: OnceLock::new() }
+        Self { variables, ways, by_point, n_sums: AtomicUsize::new(0), listed: OnceLock::new() }
     }
 
     pub(super) fn is_fixed(&self) -> bool {
@@ -87,14 +96,37 @@ impl AskedSlopes {
     }
 
     /// Sums of the slopes of points in some ranges, with a row of factors for each and a sum for each column.
+    ///
+    /// Whoever asks for few places is told sums; once these cost as much as all points, points are found one by one, which
+    /// further places need again. What depends on variables is asked by one thread, so that the bits hang on nothing else.
     pub(super) fn sums(
         &self,
         acting: impl Iterator<Item = Range<usize>>,
         factors: &Grid<f64>,
     ) -> VariableRows<DVec4> {
         let variables = self.variables.clone();
-        let mut found = VariableRows::filled(variables, factors.n_columns(), DVec4::ZERO);
-        for (row, point) in acting.flatten().enumerate() {
+        let n_columns = factors.n_columns();
+        let mut found = VariableRows::filled(variables, n_columns, DVec4::ZERO);
+        let acting: Vec<usize> = acting.flatten().collect();
+        let n_unknown =
+            acting.iter().filter(|&&point| self.by_point[point].get().is_none()).count();
+        if n_columns < n_unknown
+            && self.n_sums.fetch_add(n_columns, Ordering::Relaxed) < self.by_point.len()
+        {
+            for column in 0..n_columns {
+                if !work::goes_on(1) {
+                    break;
+                }
+                let mut all = vec![0.0; self.by_point.len()];
+                let own = acting.iter().enumerate();
+                own.for_each(|(row, &point)| all[point] = factors.get(row, column));
+                for (sums, slope) in found.rows_mut().zip((self.ways.sums)(&all)) {
+                    sums[column] = slope.extend(0.0);
+                }
+            }
+            return found;
+        }
+        for (row, &point) in acting.iter().enumerate() {
             for (sums, slope) in found.rows_mut().zip(self.of_point(point)) {
                 let own = sums.iter_mut().zip(factors.row(row));
                 own.for_each(|(sum, factor)| *sum += slope.extend(0.0) * *factor);

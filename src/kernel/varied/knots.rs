@@ -28,7 +28,8 @@ impl KnotSlopes {
     pub(crate) fn new(knots: &KnotVector, points: &[DVec4]) -> Result<Option<Self>, GeomError> {
         let Some(inner) = simple_inner(knots) else { return Ok(None) };
         let (first, twice) = (knots.degree() + 1, knots.with(inner));
-        let of = |idx| derivative(knots, points, twice.as_slice(), first + idx);
+        let mut corners = vec![DVec4::ZERO; knots.degree() + 1];
+        let of = |idx| derivative(knots, points, (twice.as_slice(), first + idx), &mut corners);
         let by_knot = (0..inner.len()).map(of).collect();
         Ok(Some(Self { knots: twice, by_knot }))
     }
@@ -78,39 +79,43 @@ pub(crate) fn with_knots_twice(
 }
 
 /// The derivative by knot r over knots that all stand twice inside: its control points that are not zero, and where they
-/// begin.
+/// begin; with room for p + 1 of them.
 ///
 /// Each is the blossom of the derivative, over the knots with r once more, at the knots between those at which it begins
 /// and ends. Ramshaw, *Blossoms are polar forms* (1989).
 fn derivative(
     knots: &KnotVector,
     points: &[DVec4],
-    twice: &[f64],
-    r: usize,
+    (twice, r): (&[f64], usize),
+    corners: &mut [DVec4],
 ) -> (usize, Vec<DVec4>) {
     let (all, p) = (knots.as_slice(), knots.degree());
     let once_more = |i: usize| if i <= r { all[i] } else { all[i - 1] };
-    let control_point = |i: usize| match (r - p..=r).contains(&i) {
-        true => (points[i - 1] - points[i]) / (once_more(i + p + 1) - once_more(i)),
-        false => DVec4::ZERO,
-    };
-    // Of the knots before r, all but those at the start stand twice.
+    let control_point =
+        |i: usize| (points[i - 1] - points[i]) / (once_more(i + p + 1) - once_more(i));
+    let own: Vec<DVec4> = (r - p..=r).map(control_point).collect();
+    // Of the knots before r, all but those at the start stand twice, so that every second span is one.
     let twice_of = |i: usize| if i <= p { i } else { p + 1 + 2 * (i - p - 1) };
     let (from, to) = (twice_of(r - p), (twice_of(r) + p).min(twice.len() - p - 2));
-    let mut corners = vec![DVec4::ZERO; p + 1];
+    let last_span = twice.len() - p - 2;
     let mut line = Vec::with_capacity(to + 1 - from);
     for j in from..=to {
-        let is_wide = |m: &usize| twice[*m] < twice[m + 1];
-        let Some(m) = (j..=j + p).filter(is_wide).min_by_key(|m| (2 * m).abs_diff(2 * j + p))
-        else {
+        let first = j.max(p) + j.max(p).abs_diff(p) % 2;
+        let spans = (first..=(j + p).min(last_span)).step_by(2);
+        let Some(m) = spans.min_by_key(|m| (2 * m).abs_diff(2 * j + p)) else {
             line.push(DVec4::ZERO);
             continue;
         };
         // The span of the same interval, behind r once more.
-        let own = all.partition_point(|knot| *knot <= twice[m]) - 1;
-        let span = if all[r] <= twice[m] { own + 1 } else { own };
+        let before = p + (m - p) / 2;
+        let span = if all[r] <= twice[m] { before + 1 } else { before };
+        if span < r - p || r < span - p {
+            line.push(DVec4::ZERO);
+            continue;
+        }
         for (corner, i) in corners.iter_mut().zip(span - p..) {
-            *corner = control_point(i);
+            let idx = i.checked_sub(r - p);
+            *corner = idx.and_then(|idx| own.get(idx)).copied().unwrap_or(DVec4::ZERO);
         }
         for (level, &t) in twice[j + 1..=j + p].iter().enumerate() {
             for k in (level + 1..=p).rev() {

@@ -98,9 +98,10 @@ fn settled(
     call: &Call,
 ) -> Result<Option<Value>> {
     let is_moving = (settling.applies)(call);
-    if !is_moving && settling.held.is_none() {
+    if !is_moving && settling.held.is_none() && settling.known.is_none() {
         return Ok(None);
     }
+    let n_before = ctx.caller.n_warnings();
     let answer = (op.run)(ctx, plain(call))?;
     let Value::Surface(Surface::Nurbs(surface)) = &answer else { return Ok(None) };
     let report = surface.report().map(IntoValue::into_value);
@@ -109,6 +110,10 @@ fn settled(
         && let Some(varied) = known(call, surface, &report).at(call.span)?
     {
         return Ok(Some(Value::JetSurface(varied.into())));
+    }
+    if is_moving && settling.moving.is_none() || !is_moving && settling.held.is_none() {
+        ctx.caller.keep_warnings(n_before);
+        return Ok(None);
     }
     let Some(found) = report.get(settling.parameter) else { return Ok(None) };
     let n_warnings = ctx.caller.n_warnings();
@@ -131,7 +136,8 @@ fn settled(
         return Ok(fixed.ok().and_then(|fixed| with_form_of(&fixed, &answer)));
     }
     let Value::JetSurface(fixed) = fixed? else { return Ok(None) };
-    let moved = (settling.moving)(call, &fixed, found).at(call.span)?;
+    let Some(moving) = settling.moving else { return Ok(None) };
+    let moved = moving(call, &fixed, found).at(call.span)?;
     Ok(moved.and_then(|moved| with_form_of(&Value::JetSurface(moved.into()), &answer)))
 }
 

@@ -203,7 +203,7 @@ impl Machine<'_> {
     }
 
     /// One more caller of what failed, unless it is told already; of a long chain the innermost and the outermost.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn tell_caller(&mut self, diagnostic: &mut Diagnostic, name: Option<&str>, span: Span) {
         let is_told = diagnostic.primary.span == span
             || diagnostic.others.iter().any(|other| other.span == span);

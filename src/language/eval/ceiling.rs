@@ -101,7 +101,7 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).crossing(ceiling).fail()
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn too_deep<T>(
         &self,
         message: String,

@@ -37,7 +37,7 @@ fn not_a_coordinate(value: &Value, unit: Unit, span: Span) -> Result<Value> {
 }
 
 impl Machine<'_> {
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn point(&mut self, coordinates: &[Expr; 3]) -> Result<Value> {
         let mut point = DVec3::ZERO;
         let mut jets: [Option<Real>; 3] = [None, None, None];
@@ -70,7 +70,7 @@ impl Machine<'_> {
         Diagnostic::error(Code::TooLarge, span, message).crossing(Ceiling::LIST_LENGTH).fail()
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn list(&mut self, elements: &[Element], span: Span) -> Result<Value> {
         if let Some((&Element::Grown { slot, span: place }, more)) = elements.split_first() {
             return self.grown((slot, place), more, span);
@@ -154,7 +154,7 @@ impl Machine<'_> {
         }
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn record(&mut self, fields: &[(Arc<str>, Expr)]) -> Result<Value> {
         let mut values = Vec::with_capacity(fields.len());
         for (label, expr) in fields {
@@ -180,7 +180,7 @@ impl Machine<'_> {
             .map_err(|refusal| refusal.at(span))
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn text(&mut self, pieces: &[StringPart], span: Span) -> Result<Value> {
         let mut out = String::new();
         for piece in pieces {
@@ -203,7 +203,7 @@ impl Machine<'_> {
         Ok(text)
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn comprehension(
         &mut self,
         comprehension: &Comprehension,

@@ -15,7 +15,7 @@ use crate::{
 
 impl Machine<'_> {
     /// The point of a curve, a surface or a face at the parameters of a call.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn place_on(&mut self, callee: &Value, call: &Call) -> Result<Value> {
         let tolerance = self.env.tolerance;
         match callee {

@@ -15,7 +15,7 @@ use crate::{
 
 impl Machine<'_> {
     /// The record of what an imported file defines, as far as that has values.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn import(&mut self, file: usize, with: &[Arg], span: Span) -> Result<Value> {
         let parameters = self.given(with)?;
         let Some(library) = self.env.library else {
@@ -32,7 +32,7 @@ impl Machine<'_> {
     }
 
     /// The record of what a script defines that a call names.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn script_file(
         &mut self,
         file: &ScriptFile,

@@ -11,7 +11,7 @@ use crate::{
 };
 
 impl Machine<'_> {
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn exactly(&mut self, list: &Expr, n: usize) -> Result<Value> {
         let value = self.eval(list)?;
         match &value {
@@ -35,7 +35,7 @@ impl Machine<'_> {
         }
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn promise(&mut self, expr: &Expr, kind: Kind, name: Span) -> Result<Value> {
         let value = self.eval(expr)?;
         if keeps(kind, &value) {

@@ -2,8 +2,9 @@
 //!
 //! Frames lie on one stack of values; a function sees its frame, what it captured, and the
 //! definitions of the file. Depth and steps are counted, so that nothing a script does can
-//! exhaust the stack or run for ever. In a page the stack is the browser's: what lies between two expressions there is
-//! not inlined (`inline(never)`), so that each frame holds what its own work needs, and no more.
+//! exhaust the stack or run for ever. What seldom lies between two expressions is not inlined (`inline(never)`), so that
+//! each frame holds what its own work needs, and no more: deep calls touch less memory. In a page the stack is the
+//! browser's, and nothing that lies between two expressions is inlined.
 
 use std::{
     collections::BTreeSet,
@@ -151,7 +152,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn expressions_too_deep(&mut self, span: Span) -> Result<Value> {
         let most = self.env.limits.evaluation_depth;
         let what = format!("expressions lie more than {most} deep inside one another");
@@ -234,7 +235,7 @@ impl<'a> Machine<'a> {
         self.running.as_ref().map_or(Value::None, |running| running.sibling(idx))
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn make_function(&self, group: &Arc<Group>, idx: usize, sources: &[CaptureSource]) -> Value {
         let captures = sources
             .iter()
@@ -307,7 +308,7 @@ impl<'a> Machine<'a> {
         Ok(value)
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn within(&mut self, parts: &[Expr; 3]) -> Result<Value> {
         let [left, right, _] = parts;
         let (a, b) = (self.eval(left)?, self.eval(right)?);
@@ -316,7 +317,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The number after `within`: a plain one, in the units of both sides, or one of their dimension.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn tolerance_of(&mut self, expr: &Expr, sides: [&Value; 2]) -> Result<f64> {
         match self.eval(expr)? {
             Value::Number(number) if 0.0 <= number.value => {
@@ -351,7 +352,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn index(&mut self, parts: &[Expr; 2]) -> Result<Value> {
         let (subject, index) = (self.eval(&parts[0])?, self.eval(&parts[1])?);
         match (&subject, &index) {
@@ -362,7 +363,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     fn field(&mut self, subject: &Expr, name: &str, place: Span) -> Result<Value> {
         let value = self.eval(subject)?;
         if let Some(known) = self.fields.find(&value, name) {

@@ -10,7 +10,7 @@ use crate::{
 
 impl Machine<'_> {
     /// A call with `_`: of geometry an isocurve, else a function of what is left out.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn partial(&mut self, callee: Value, call: &CallExpr, span: Span) -> Result<Value> {
         let (mut positional, mut named) = (Vec::new(), Vec::new());
         for arg in &call.args {
@@ -85,7 +85,7 @@ impl Machine<'_> {
     }
 
     /// Calls what was left open with the arguments for its placeholders.
-    #[cfg_attr(target_family = "wasm", inline(never))]
+    #[inline(never)]
     pub(super) fn fill(&mut self, partial: &Partial, call: Call, place: Span) -> Result<Value> {
         let n_open = partial.positional.iter().filter(|arg| arg.is_none()).count()
             + partial.named.iter().filter(|(_, arg)| arg.is_none()).count();

@@ -90,20 +90,32 @@ fn slopes(points: &[ConstantOrVaried<'_>], control_points: &[DVec4]) -> Option<P
     if control_points.len() < points.len() || !around().all(is_own) {
         return None;
     }
+    let moving = around().enumerate().filter_map(|(idx, (control_point, point))| match point {
+        ConstantOrVaried::Varying(jets) => Some((idx, *jets, control_point.w)),
+        ConstantOrVaried::Plain(_) => None,
+    });
+    let by_variable = slopes_by_variable([n_variables, control_points.len()], moving);
+    PointSlopes::new(n_variables, control_points.len(), by_variable).ok()
+}
+
+/// The slopes of so many points by those of so many variables that move any: of points with their places among these
+/// and their weights.
+pub fn slopes_by_variable<'j>(
+    [n_variables, n_points]: [usize; 2],
+    moving: impl Iterator<Item = (usize, &'j [Jet; 3], f64)>,
+) -> Vec<(usize, Vec<DVec4>)> {
     let mut by_variable = vec![Vec::new(); n_variables];
-    for (idx, (control_point, point)) in around().enumerate() {
-        let ConstantOrVaried::Varying(jets) = point else { continue };
-        let [x, y, z] = jets.each_ref().map(Jet::slopes);
-        for (variable, own) in by_variable.iter_mut().enumerate() {
-            let slope = DVec3::new(x[variable], y[variable], z[variable]);
-            if slope != DVec3::ZERO {
-                own.resize(control_points.len(), DVec4::ZERO);
-                own[idx] = (slope * control_point.w).extend(0.0);
+    for (idx, jets, weight) in moving {
+        for (axis, jet) in jets.iter().enumerate() {
+            for (own, &slope) in by_variable.iter_mut().zip(jet.slopes()) {
+                if slope != 0.0 {
+                    own.resize(n_points, DVec4::ZERO);
+                    own[idx][axis] = slope * weight;
+                }
             }
         }
     }
-    let moving = by_variable.into_iter().enumerate().filter(|(_, slopes)| !slopes.is_empty());
-    PointSlopes::new(n_variables, control_points.len(), moving.collect()).ok()
+    by_variable.into_iter().enumerate().filter(|(_, slopes)| !slopes.is_empty()).collect()
 }
 
 /// The homogeneous point.

@@ -70,7 +70,7 @@ pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
 pub use common_dimension::CommonDimension;
 pub use compare::{Discrepancy, deviation, equal};
-pub use control_points::with_slopes_of_points;
+pub use control_points::{slopes_by_variable, with_slopes_of_points};
 pub use decode::{decode, script_text, stranger};
 pub use element::pointed;
 pub use error_map::{At, blamed_on, code_of, hint_of, raised};

@@ -69,13 +69,15 @@ impl Registry {
 
 impl FromIterator<&'static Op> for Registry {
     fn from_iter<I: IntoIterator<Item = &'static Op>>(ops: I) -> Self {
-        let mut lists: BTreeMap<&'static str, Vec<&'static Op>> = BTreeMap::new();
-        for op in ops {
-            for name in std::iter::once(op.name).chain(op.aliases.iter().copied()) {
-                lists.entry(name).or_default().push(op);
-            }
-        }
-        let by_name = lists.into_iter().map(|(name, ops)| (name, Arc::from(ops))).collect();
+        let names = |op: &'static Op| std::iter::once(op.name).chain(op.aliases.iter().copied());
+        let mut named: Vec<(&'static str, &'static Op)> =
+            ops.into_iter().flat_map(|op| names(op).map(move |name| (name, op))).collect();
+        // Of one name they stay in their order.
+        named.sort_by_key(|&(name, _)| name);
+        let by_name = named
+            .chunk_by(|(one, _), (next, _)| one == next)
+            .map(|same| (same[0].0, same.iter().map(|&(_, op)| op).collect()))
+            .collect();
         Self { by_name, constants: &[] }
     }
 }

@@ -19,7 +19,7 @@ pub struct Settling {
     pub held: Option<fn(&Record) -> Vec<(&'static str, Value)>>,
     /// The surface with the derivatives that it has while that moves, from those that it has while that stays at what was
     /// found; none where they are not known.
-    pub moving: fn(&Call, &VariedSurface, &Value) -> MovingSurface,
+    pub moving: Option<fn(&Call, &VariedSurface, &Value) -> MovingSurface>,
 }
 
 /// A surface with its derivatives, where they are known.

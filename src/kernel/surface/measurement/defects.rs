@@ -61,9 +61,11 @@ impl NurbsSurface {
         if let Some((scaled, _)) = &self.scaled {
             return scaled.has_area();
         }
-        let size = self.bounds().magnitude();
+        let points = self.points();
+        let largest = points.iter().map(|point| point.abs().max_element());
+        let size = largest.filter(|size| size.is_finite()).fold(0.0, f64::max);
         let size = if 0.0 < size { size } else { 1.0 };
-        let points = self.points().map(|point| *point / size);
+        let points = points.map(|point| *point / size);
         let first = points.get(0, 0);
         let away = |point: &&DVec3| norm(**point - first);
         let farthest = points.iter().max_by(|a, b| away(a).total_cmp(&away(b)));

@@ -7,7 +7,7 @@ use crate::{
     kernel::{Ends, Parametrization, PointSlopes, check_parameters},
     value::{
         At, Call, Choice, FromValue, IntoValue, Mismatch, NoDerivative, Type, Value, Vector,
-        rounded,
+        rounded, slopes_by_variable,
     },
 };
 
@@ -86,15 +86,11 @@ pub(in crate::ops) fn slopes_of(points: &[Vector], span: Span) -> Result<Option<
         let error = Diagnostic::error(Code::NoDerivative, span, message);
         return error.hint(reason.hint()).fail();
     };
-    let slope = |vector: &Vector, variable: usize| match vector {
-        Vector::Jets(jets) => DVec3::from(jets.each_ref().map(|jet| jet.slopes()[variable])),
-        Vector::Plain(_) => DVec3::ZERO,
-    };
-    let by_variable = (0..n_variables)
-        .map(|variable| {
-            (variable, points.iter().map(|point| slope(point, variable).extend(0.0)).collect())
-        })
-        .collect();
+    let moving = points.iter().enumerate().filter_map(|(idx, point)| match point {
+        Vector::Jets(jets) => Some((idx, &**jets, 1.0)),
+        Vector::Plain(_) => None,
+    });
+    let by_variable = slopes_by_variable([n_variables, points.len()], moving);
     PointSlopes::new(n_variables, points.len(), by_variable).at(span).map(Some)
 }
 

@@ -5,17 +5,15 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::{PerDirection, section::SectionPlaces};
 use crate::{
-    diag::Span,
+    diag::{Span, Spanned},
     kernel::{
-        Curve, Direction, Ends, GeomError, Grid, NurbsSurface, Parametrization, SectionParameters,
-        VariedCurve, VariedSurface,
+        Curve, Ends, GeomError, Grid, GridLines, NurbsSurface, Parametrization, PointSlopes,
+        SectionParameters, VariedCurve, VariedSurface,
     },
-    ops::curve::fit::moves_knots,
-    value::{Call, FromValue, Record, Settling, Value, Vector},
+    ops::curve::fit::{Parameters, moves_knots},
+    value::{Call, FromValue, Record, Settling, Value, Vector, slopes_by_variable, varies},
 };
 
 /// Of a skin by a rule.
@@ -24,16 +22,16 @@ pub(super) static SKIN: Settling = Settling {
     applies: is_skin_by_rule,
     known: Some(skin_through_sections),
     held: Some(held_alignment),
-    moving: moving_skin,
+    moving: Some(moving_skin),
 };
 
-/// Of a surface through a grid of points by a rule.
+/// Of a surface through a grid of points.
 pub(super) static GRID: Settling = Settling {
     parameter: "parameters",
     applies: is_grid_by_rule,
-    known: None,
+    known: Some(grid_through_points),
     held: None,
-    moving: moving_grid,
+    moving: None,
 };
 
 /// Sections that run beside one another as they are go on to do so where they move a little.
@@ -139,38 +137,56 @@ fn is_grid_by_rule(call: &Call) -> bool {
     moves_knots(call) && has_only(call, &["points", "degree", "parameters", "ends"])
 }
 
-fn moving_grid(
+/// A surface through points, which tell the slopes of its control points.
+fn grid_through_points(
     call: &Call,
-    fixed: &VariedSurface,
-    parameters: &Value,
+    surface: &Arc<NurbsSurface>,
+    report: &Record,
 ) -> Result<Option<VariedSurface>, GeomError> {
+    let others = ["degree", "parameters", "ends"];
+    let is_still = |(name, given): &(Spanned<Arc<str>>, Spanned<Value>)| {
+        &*name.value == "points" || others.contains(&&*name.value) && !varies(&given.value)
+    };
+    if !call.named.iter().all(is_still) {
+        return Ok(None);
+    }
     let rows = first_argument(call, "points")
         .and_then(|points| Vec::<Vec<Vector>>::from_value(points, Span::default()).ok());
-    let rule = named(call, "parameters", Parametrization::Chord);
+    let by_chord = Parameters::By(Parametrization::Chord);
+    let rules = named(call, "parameters", PerDirection { u: by_chord.clone(), v: by_chord });
     let degree = named(call, "degree", PerDirection { u: 3_usize, v: 3 });
     let ends = named(call, "ends", PerDirection { u: Ends::Bessel, v: Ends::Bessel });
-    let places = PerDirection::<Vec<f64>>::from_value(parameters, Span::default());
-    let (Some(rows), Some(rule), Some(degree), Some(ends), Ok(places)) =
-        (rows, rule, degree, ends, places)
+    let found =
+        report.get("parameters").map(|found| PerDirection::from_value(found, Span::default()));
+    let (Some(rows), Some(rules), Some(degree), Some(ends), Some(Ok(found))) =
+        (rows, rules, degree, ends, found)
     else {
         return Ok(None);
     };
-    let grid = Grid::from_rows(rows)?;
-    let slope = |vector: &Vector, variable: usize| match vector {
-        Vector::Jets(jets) => DVec3::from(jets.each_ref().map(|jet| jet.slopes()[variable])),
-        Vector::Plain(_) => DVec3::ZERO,
+    let found: PerDirection<Vec<f64>> = found;
+    let vectors = Grid::from_rows(rows)?;
+    let jets = |vector: &Vector| match vector {
+        Vector::Jets(jets) => Some(jets[0].n_variables()),
+        Vector::Plain(_) => None,
     };
-    let slopes: Vec<(usize, Grid<DVec3>)> = (0..fixed.slopes().n_variables())
-        .map(|variable| (variable, grid.map(|vector| slope(vector, variable))))
-        .collect();
-    let turned: Vec<(usize, Grid<DVec3>)> =
-        slopes.iter().map(|(variable, slopes)| (*variable, slopes.transposed())).collect();
-    let points = grid.map(Vector::value);
-    let Some(speeds) = rule.mean_speeds(&points.transposed(), &turned)? else { return Ok(None) };
-    let by_u = (degree.u, ends.u);
-    let Some(moved) = fixed.with_moving_parameters(Direction::U, by_u, &places.u, &speeds)? else {
-        return Ok(None);
+    let Some(Some(n_variables)) = vectors.iter().find_map(jets) else { return Ok(None) };
+    let moving = vectors.iter().enumerate().filter_map(|(idx, vector)| match vector {
+        Vector::Jets(jets) => Some((idx, &**jets, 1.0)),
+        Vector::Plain(_) => None,
+    });
+    let n_points = vectors.as_slice().len();
+    let by_variable = slopes_by_variable([n_variables, n_points], moving);
+    let slopes = PointSlopes::new(n_variables, n_points, by_variable)?;
+    let lines = |rule: &Parameters, degree: usize, ends: Ends, parameters| GridLines {
+        degree,
+        ends,
+        parameters,
+        rule: match rule {
+            Parameters::By(rule) => Some(*rule),
+            Parameters::Listed(_) => None,
+        },
     };
-    let Some(speeds) = rule.mean_speeds(&points, &slopes)? else { return Ok(None) };
-    moved.with_moving_parameters(Direction::V, (degree.v, ends.v), &places.v, &speeds)
+    let u = lines(&rules.u, degree.u, ends.u, &found.u);
+    let v = lines(&rules.v, degree.v, ends.v, &found.v);
+    VariedSurface::through_grid(surface, [u, v], &vectors.map(Vector::value), &slopes)
 }
