@@ -1,4 +1,4 @@
-//! How fast the language server answers while somebody types in a document of a thousand definitions,
+//! How fast the language server answers while somebody types in a document of a thousand definitions, or ten thousand,
 //! and how much memory it holds after ten thousand edits of the largest example.
 //!
 //! The server is the command `virote lsp`, asked over its streams as by an editor. `VIROTE` names
@@ -20,6 +20,8 @@ use lsp_server::{Connection, Message, Notification, Request};
 use serde_json::{Value as Json, json};
 
 const URI: &str = "file:///nowhere/main.geo";
+/// Definitions of the document.
+const N_DEFINITIONS: usize = 1000;
 /// The number in line 500, which is typed anew.
 const NUMBER: [u32; 2] = [500, 12];
 /// The example whose values take most memory.
@@ -35,17 +37,17 @@ fn main() {
     }
 }
 
-/// A thousand definitions: parameters, numbers, points, curves, functions, each of what came before.
-fn script() -> String {
+/// So many definitions: parameters, numbers, points, curves, functions, each of what came before.
+fn script(n: usize) -> String {
     let definition = |i: usize| match i % 5 {
         _ if i == 500 => "let d500 =  5 + 1\n".to_owned(),
-        0 => format!("param d{i} = {i} in 0..2000\n"),
+        0 => format!("param d{i} = {i} in 0..20000\n"),
         1 => format!("let d{i} = d{} * 2 + sqrt({i})\n", i - 1),
         2 => format!("let d{i} = (d{}, {i}, 0)\n", i - 1),
         3 => format!("curve d{i} = line(d{}, (0, 0, {i}))\n", i - 1),
         _ => format!("fn d{i}(x, by = 2) = x * by + {i}\n"),
     };
-    (0..1000).map(definition).collect()
+    (0..n).map(definition).collect()
 }
 
 /// An editor with one document, and the server that it started.
@@ -155,13 +157,13 @@ impl Client {
 
 #[divan::bench]
 fn from_start_to_first_findings(bencher: Bencher<'_, '_>) {
-    let text = script();
+    let text = script(N_DEFINITIONS);
     bencher.bench_local(|| Client::new(URI, &text));
 }
 
-#[divan::bench]
-fn from_keystroke_to_findings(bencher: Bencher<'_, '_>) {
-    let mut client = Client::new(URI, &script());
+#[divan::bench(args = [N_DEFINITIONS, 10 * N_DEFINITIONS])]
+fn from_keystroke_to_findings(bencher: Bencher<'_, '_>, n_definitions: usize) {
+    let mut client = Client::new(URI, &script(n_definitions));
     bencher.bench_local(|| {
         client.type_digit();
         client.wait_for_findings();
@@ -171,7 +173,7 @@ fn from_keystroke_to_findings(bencher: Bencher<'_, '_>) {
 /// Each with the names of a new text.
 #[divan::bench(args = ["hover", "completion", "definition", "signatureHelp", "semanticTokens/full"])]
 fn from_keystroke_to_answer(bencher: Bencher<'_, '_>, what: &str) {
-    let mut client = Client::new(URI, &script());
+    let mut client = Client::new(URI, &script(N_DEFINITIONS));
     let method = format!("textDocument/{what}");
     bencher.bench_local(|| {
         client.type_digit();
@@ -182,7 +184,7 @@ fn from_keystroke_to_answer(bencher: Bencher<'_, '_>, what: &str) {
 /// Each with the names of a text that is known.
 #[divan::bench(args = ["hover", "completion", "definition", "signatureHelp", "semanticTokens/full"])]
 fn to_answer(bencher: Bencher<'_, '_>, what: &str) {
-    let mut client = Client::new(URI, &script());
+    let mut client = Client::new(URI, &script(N_DEFINITIONS));
     let method = format!("textDocument/{what}");
     bencher.bench_local(|| client.ask_at(&method, [501, 12]));
 }

@@ -1,5 +1,5 @@
 //! The same work in other languages, whole processes: comprehensions of a million numbers, with five
-//! operations each, with built-in functions, and with vectors, in virote, in OpenSCAD and in CPython.
+//! operations each, with built-in functions, with vectors, and with a function of the script's own, in virote, in OpenSCAD and in CPython.
 //!
 //! Each of them runs in turn, so that a busy machine burdens all alike; medians and their ratios
 //! are printed. A language that is not installed is said to be missing.
@@ -15,10 +15,11 @@ use std::{
 const N_ROUNDS: usize = 9;
 
 /// What is done with a million numbers.
-const WORK: [&str; 3] = [
+const WORK: [&str; 4] = [
     "five operations each",
     "two built-in functions and four operations each",
     "the length of a vector and a scalar product each",
+    "a function of the script's own each, of three built-in functions",
 ];
 
 /// A language: its name, a script for each work and how a script is run.
@@ -37,6 +38,8 @@ const LANGUAGES: &[Language] = &[
             "let xs = [for i in 0..<1000000: (i * 2 + 1) / 3 - i * 0.5]\nprint len(xs), xs[-1]\n",
             "let xs = [for i in 0..<1000000: sqrt(i) * 2 + floor(i / 3) - 1]\nprint len(xs), xs[-1]\n",
             "let xs = [for i in 0..<1000000: norm((i, 1, 2)) + dot((i, 2), (3, i))]\nprint len(xs), xs[-1]\n",
+            "fn f(x) = sqrt(x) * sin(x) + floor(x / 3)\n\
+             let xs = [for i in 0..<1000000: f(i)]\nprint len(xs), xs[-1]\n",
         ],
         ending: "geo",
         command: |script| {
@@ -58,6 +61,9 @@ const LANGUAGES: &[Language] = &[
             "xs = [for (i = [0:499999]) norm([i, 1, 2]) + [i, 2] * [3, i],\n\
              for (i = [500000:999999]) norm([i, 1, 2]) + [i, 2] * [3, i]];\n\
              echo(len(xs), xs[999999]);\n",
+            "function f(x) = sqrt(x) * sin(x * 180 / PI) + floor(x / 3);\n\
+             xs = [for (i = [0:499999]) f(i), for (i = [500000:999999]) f(i)];\n\
+             echo(len(xs), xs[999999]);\n",
         ],
         ending: "scad",
         command: |script| {
@@ -76,6 +82,9 @@ const LANGUAGES: &[Language] = &[
              def dot(a, b): return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]\n\
              xs = [hypot(i, 1, 2) + dot((i, 2, 0), (3, i, 0)) for i in range(1000000)]\n\
              print(len(xs), xs[-1])\n",
+            "from math import floor, sin, sqrt\n\
+             def f(x): return sqrt(x) * sin(x) + floor(x / 3)\n\
+             xs = [f(i) for i in range(1000000)]\nprint(len(xs), xs[-1])\n",
         ],
         ending: "py",
         command: |script| {

@@ -49,13 +49,16 @@ fn sheet(n: usize) -> NurbsSurface {
 
 fn print_times() {
     let sheet = sheet(12);
-    let at = |k: usize| k as f64 / 9.0;
-    let us: Vec<NurbsCurve> = (0..10).map(|k| sheet.isocurve_v(at(k))).collect();
-    let vs: Vec<NurbsCurve> = (0..10).map(|k| sheet.isocurve_u(at(k))).collect();
-    let network =
-        Network { curves: [&us, &vs], at: [None, None], is_lagrange: false, tolerance: 1e-6 };
-    let time = best(10, || drop(gordon(network).unwrap()));
-    println!("\nA network of 10 x 10 cubics that meet: {time:.1} ms");
+    println!();
+    for n in [10, 20, 40, 80] {
+        let at = |k: usize| k as f64 / (n - 1) as f64;
+        let us: Vec<NurbsCurve> = (0..n).map(|k| sheet.isocurve_v(at(k))).collect();
+        let vs: Vec<NurbsCurve> = (0..n).map(|k| sheet.isocurve_u(at(k))).collect();
+        let network =
+            Network { curves: [&us, &vs], at: [None, None], is_lagrange: false, tolerance: 1e-6 };
+        let time = best(10, || drop(gordon(network).unwrap()));
+        println!("A network of {n} x {n} cubics that meet: {time:.1} ms");
+    }
 
     let wide = self::sheet(50);
     let sections: Vec<NurbsCurve> = (0..50).map(|k| wide.isocurve_v(k as f64 / 49.0)).collect();

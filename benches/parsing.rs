@@ -40,6 +40,26 @@ fn parse_10_mb(bencher: Bencher<'_, '_>) {
         .bench_local(|| syntax::parse(divan::black_box(&text), &Limits::DEFAULT));
 }
 
+/// A script of lists with names, `size` bytes long or a little more.
+fn lists(size: usize) -> String {
+    let mut text = String::from("geo 1\n");
+    let mut i = 0;
+    while text.len() < size {
+        // Writing into a string cannot fail.
+        let _ = writeln!(text, "let list_{i} = [{i}, {i} + 0.5, 2.25, -{i}, 1e-3, {i} * 2]");
+        i += 1;
+    }
+    text
+}
+
+#[divan::bench(sample_count = 5, sample_size = 1)]
+fn parse_10_mb_of_lists(bencher: Bencher<'_, '_>) {
+    let text = lists(SIZE);
+    bencher
+        .counter(BytesCount::of_str(&text))
+        .bench_local(|| syntax::parse(divan::black_box(&text), &Limits::DEFAULT));
+}
+
 #[divan::bench]
 fn parse_50_lines(bencher: Bencher<'_, '_>) {
     let text = script(4_000);

@@ -1,6 +1,7 @@
 //! Homogeneous points `(w·x, w·y, w·z, w)`, and quotients of their derivatives.
 
 use glam::{DAffine3, DVec3, DVec4};
+use smallvec::SmallVec;
 
 use super::{GeomError, Grid, InputError, WeightError, tolerance::WEIGHT_RELATIVE};
 
@@ -109,7 +110,7 @@ pub(crate) fn quotient(derivatives: &[DVec4]) -> Vec<DVec3> {
 /// Coefficients of the power series in space from homogeneous derivatives by order.
 pub(crate) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
     let mut series: Vec<DVec3> = Vec::with_capacity(derivatives.len());
-    let scaled: Vec<DVec4> = over_factorials(derivatives);
+    let scaled = over_factorials(derivatives);
     for (k, numerator) in scaled.iter().enumerate() {
         let mut sum = numerator.truncate();
         for i in 1..=k {
@@ -125,7 +126,7 @@ pub(crate) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
 /// Piegl & Tiller, *The NURBS Book*, A4.4, as the division of Taylor series in two variables.
 pub(crate) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3> {
     let (n_rows, n_columns) = (derivatives.n_rows(), derivatives.n_columns());
-    let factorials: Vec<f64> = factorials(n_rows.max(n_columns));
+    let factorials: Vec<f64> = factorials().take(n_rows.max(n_columns)).collect();
     let scaled = Grid::from_fn(n_rows, n_columns, |k, l| {
         derivatives.get(k, l) / (factorials[k] * factorials[l])
     });
@@ -161,15 +162,15 @@ pub(crate) fn second_order([value, u, v, uu, uv, vv]: [DVec4; 6]) -> [DVec3; 6] 
     [s, su, sv, suu, suv, svv]
 }
 
-fn over_factorials(derivatives: &[DVec4]) -> Vec<DVec4> {
-    derivatives.iter().zip(factorials(derivatives.len())).map(|(&d, f)| d / f).collect()
+fn over_factorials(derivatives: &[DVec4]) -> SmallVec<[DVec4; 4]> {
+    derivatives.iter().zip(factorials()).map(|(&d, f)| d / f).collect()
 }
 
-/// 0!, 1!, … , `n` of them.
-fn factorials(n: usize) -> Vec<f64> {
+/// 0!, 1!, and so on.
+fn factorials() -> impl Iterator<Item = f64> {
     let next = |factorial: &mut f64, k: usize| {
         *factorial *= k.max(1) as f64;
         Some(*factorial)
     };
-    (0..n).scan(1.0, next).collect()
+    (0..).scan(1.0, next)
 }

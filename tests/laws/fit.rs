@@ -394,7 +394,7 @@ fn a_rotated_fit_is_the_fit_of_rotated_points() {
 #[test]
 fn sines_take_no_more_control_points_than_interpolation_theory_says() {
     for frequency in 1..=6 {
-        for n_points in [100, 500, 2500] {
+        for n_points in [100, 500, 2500, 10_000] {
             for tolerance in [1e-1, 1e-2, 1e-3] {
                 let turns = std::f64::consts::TAU * f64::from(frequency);
                 let at = |i: usize| i as f64 / (n_points - 1) as f64;
@@ -410,6 +410,50 @@ fn sines_take_no_more_control_points_than_interpolation_theory_says() {
                     let distance = curve.closest(p, 1e-9).distance;
                     assert!(distance <= tolerance * (1.0 + 1e-9), "{what}: {distance}");
                 }
+            }
+        }
+    }
+}
+
+/// Splines that interpolate a circle at even parameters h apart miss it by h⁴/384; those nearest to its points take no more
+/// control points than that.
+#[test]
+fn circles_take_no_more_control_points_than_interpolation_theory_says() {
+    for (n_points, tolerance) in [(1001, 1e-3), (4001, 1e-5), (20_001, 1e-7)] {
+        let at = |i: usize| std::f64::consts::TAU * i as f64 / (n_points - 1) as f64;
+        let points: Vec<DVec3> =
+            (0..n_points).map(|i| DVec3::new(libm::cos(at(i)), libm::sin(at(i)), 0.0)).collect();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
+        let curve = approximate_within(&points, &parameters, 3, tolerance, false).unwrap();
+        let spans = std::f64::consts::TAU / libm::pow(384.0 * tolerance, 0.25);
+        let found = curve.control_points().len();
+        assert!(found as f64 <= spans + 5.0, "{n_points} within {tolerance}: {found}, {spans}");
+        for &p in points.iter().step_by(7) {
+            let distance = curve.closest(p, 1e-3 * tolerance).distance;
+            assert!(
+                distance <= tolerance * (1.0 + 1e-6),
+                "{n_points} within {tolerance}: {distance}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_bump_between_the_points_of_a_sample_is_kept() {
+    for middle in [0.123, 0.5, 0.877] {
+        let at = |i: usize| i as f64 / 4999.0;
+        // Some twelve of the points wide.
+        let bump = |t: f64| libm::exp(-libm::pow(800.0 * (t - middle), 2.0));
+        let points: Vec<DVec3> =
+            (0..5000).map(|i| DVec3::new(10.0 * at(i), 0.01 * bump(at(i)), 0.0)).collect();
+        let parameters = Parametrization::Chord.parameters(&points).unwrap();
+        for tolerance in [3e-3, 1e-3, 1e-4] {
+            for are_fixed in [false, true] {
+                let curve =
+                    approximate_within(&points, &parameters, 3, tolerance, are_fixed).unwrap();
+                let worst =
+                    points.iter().map(|&p| curve.closest(p, 1e-9).distance).fold(0.0, f64::max);
+                assert!(worst <= tolerance * (1.0 + 1e-6), "{middle}, {tolerance}: {worst}");
             }
         }
     }

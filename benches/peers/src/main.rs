@@ -80,6 +80,16 @@ fn curves() {
         let unprepared = |ts: &[f64]| ts.iter().map(|&t| curve.point_at(t)).sum();
         compare_parts("geomcore", ts, unprepared, geomcore_curve(&curve));
 
+        println!(" points, first and second derivatives {order}, one by one from the knots");
+        let unprepared = |ts: &[f64]| {
+            let at = |&t: &f64| {
+                let found = curve.derivatives_at(t, 2);
+                in_units_of_spans([found[0], found[1], found[2]])
+            };
+            ts.iter().map(at).sum()
+        };
+        compare_parts("geomcore", ts, unprepared, geomcore_second_order(&curve));
+
         println!(" points, first and second derivatives {order}");
         let second_order = |ts: &[f64]| {
             let mut sum = DVec3::ZERO;

@@ -117,6 +117,11 @@ pub(crate) fn crossings() {
     let line =
         |from: DVec3, to: DVec3| both(&[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].map(|t| from.lerp(to, t)));
     let across = line(DVec3::new(0.0, 0.1, 0.0), DVec3::new(N_WAVES as f64, -0.1, 0.0));
+    compare(
+        &format!("the length of a curve of {N_WAVES} waves within 1e-9 (hundredths)"),
+        || (first.0.length(first.0.domain()) * 100.0).round() as usize,
+        || (first.1.length(1e-9) * 100.0).round() as usize,
+    );
     let tolerance = Tolerance::DEFAULT;
     for (name, other) in [("another", &second), ("a line", &across)] {
         compare(

@@ -133,6 +133,12 @@ pub(crate) const IDLE_STEPS: usize = 2;
 /// How often the knots of one number of control points are spread anew.
 pub(crate) const KNOT_SPREADS: usize = 3;
 
+/// Attempts at a fit whose spans miss alike: halvings of a number of spans, and what spreads their knots.
+pub(crate) const BALANCE_ROUNDS: usize = 16;
+
+/// How often the points of one such attempt slide along it.
+pub(crate) const BALANCED_SLIDES: usize = 6;
+
 /// How often the curves of a network are made nearer to one another.
 pub(crate) const GORDON_ROUNDS: usize = 3;
 

@@ -160,6 +160,9 @@ pub(crate) const FUNCTION_BREAKS: usize = 64;
 /// So many knots that cost least are tried: if none of them can go, another one seldom can.
 pub(crate) const KNOTS_TRIED: usize = 16;
 
+/// The same where all spans miss alike, and knots go by more than one at a time.
+pub(crate) const BALANCED_KNOTS_TRIED: usize = 4;
+
 /// Pieces along one direction by which the cells of a tessellation are bounded.
 pub(crate) const CELL_PIECES: usize = 128;
 

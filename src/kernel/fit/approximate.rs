@@ -14,6 +14,9 @@ use crate::{
     ConstructionReport, GeomError, KnotVector, NurbsCurve, ReportEntry, knots::check_points,
 };
 
+/// How often each point may be looked at for a smooth curve across kinks, before corners are made of them.
+const LOOKS_ACROSS_KINKS: usize = 10;
+
 /// The curve of `n_control` control points that comes nearest to the points at the parameters,
 /// through the first and the last. Its report tells the deviation.
 ///
@@ -36,12 +39,14 @@ pub fn approximate(
 /// A curve with every point within the tolerance, through the first and the last, with as few
 /// control points as are found. Its report tells the deviation, the parameters, and the corners.
 ///
-/// Knots are added where points are missed, then spread by what the curve found so needs, then
-/// taken away; after each fit the parameters move to the nearest places of the curve unless they
-/// are fixed. Where the points turn sharply the curve has a corner, unless one without takes fewer control
-/// points. Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
+/// Many points are looked at by samples, with knots in places where all spans miss them alike and parameters that begin
+/// by affine length. Where that finds no curve, as where points scatter, and for few points, knots are added where points
+/// are missed, then spread by what the curve found so needs, then taken away. After each fit the parameters move to the
+/// nearest places of the curve unless they are fixed. Where the points turn sharply the curve has a corner, unless one
+/// without takes fewer control points. Hoschek & Lasser, *Fundamentals of Computer Aided Geometric
 /// Design*, §4.4 (parameter correction); de Boor, *A Practical Guide to Splines*, §XII
-/// (spreading); Lyche & Mørken, *Knot removal for parametric B-spline curves and surfaces*, CAGD 4
+/// (spreading); de Boor, Höllig & Sabin, *High accuracy geometric Hermite interpolation*, CAGD 4 (1987) (what sliding
+/// gains); Lyche & Mørken, *Knot removal for parametric B-spline curves and surfaces*, CAGD 4
 /// (1987).
 ///
 /// Many points of a parabola need three control points:
@@ -81,6 +86,16 @@ pub fn approximate_within(
         return Ok(reporting(found.curve, points, &found.parameters, &[]));
     }
 
+    // With a corner at each kink there are more control points than this.
+    let most = degree * (kinks.len() + 1);
+    let looks = left.min(LOOKS_ACROSS_KINKS * points.len());
+    let mut across = FitSearch { most, left: looks, ..search(points) };
+    if let Some(found) =
+        across.run_on_balanced_samples(parameters).filter(|f| f.n_control() <= most)
+    {
+        return Ok(reporting(found.curve, points, &found.parameters, &[]));
+    }
+
     let ends = [&[0], &kinks[..], &[points.len() - 1]].concat();
     let share = |n: usize| left / points.len() * n;
     let part = |pair: &[usize]| {
@@ -89,7 +104,8 @@ pub fn approximate_within(
         if points.len() <= degree {
             return through(points, parameters, degree);
         }
-        let trial = FitSearch { left: share(points.len()), ..search(points) }.run(parameters)?;
+        let mut search = FitSearch { left: share(points.len()), ..search(points) };
+        let trial = search.run_by_thinning(parameters)?;
         Ok((trial.curve, trial.parameters))
     };
     let parts: Vec<(NurbsCurve, Vec<f64>)> =
@@ -101,7 +117,7 @@ pub fn approximate_within(
     };
     // What grows to more than twice as many does not come down to fewer.
     let most = 2 * cornered.control_points().len();
-    let smooth = FitSearch { most, ..search(points) }.run(parameters);
+    let smooth = FitSearch { most, ..search(points) }.run_by_thinning(parameters);
     match smooth.ok().filter(has_fewer) {
         Some(found) => Ok(reporting(found.curve, points, &found.parameters, &[])),
         None => {

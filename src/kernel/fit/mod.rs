@@ -5,10 +5,14 @@
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
 //! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point,
 //! `varied_spline` the curves that vary so, `moving_grid` surfaces through grids, `moving_surface` surfaces whose rows are splines, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `kinks` where
+//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `balanced` does so by what the `span_errors` are, from parameters
+//! by `affine_length`, and attempts what its `balance` tells, `sample` from some of many points, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
+mod affine_length;
 mod approximate;
+mod balance;
+mod balanced;
 mod equation;
 mod growth;
 mod interpolate;
@@ -26,6 +30,7 @@ mod search;
 mod section_steps;
 mod slide;
 mod sloped;
+mod span_errors;
 mod spread;
 mod surface;
 mod thinning;

@@ -2,9 +2,12 @@
 
 use glam::DVec3;
 
-use super::search::{FitSearch, FittedCurve};
+use super::{
+    balance::Unbalanced,
+    search::{FitSearch, FittedCurve},
+};
 use crate::{
-    ceiling::NEWTON_STEPS,
+    ceiling::{FIT_STEPS_A_POINT, NEWTON_STEPS},
     numeric::newton::{to_foot, within_limits},
     tolerance::PARAMETER_RELATIVE,
 };
@@ -21,7 +24,65 @@ const POINTS_A_CONTROL: usize = 6;
 /// A curve of a sample that misses other points by so many times the tolerance is given a few knots more.
 const ALMOST: f64 = 2.0;
 
+/// Samples that may miss other points before no more are looked at: those scatter.
+const MISSING_SAMPLES: usize = 2;
+
 impl FitSearch<'_> {
+    /// The curve that ever more of the points ask for, in the end all of them, until the others are near to it too;
+    /// `None` where they are few, or scatter.
+    ///
+    /// Polygons, whose knots are their corners, are none of its matter.
+    pub(super) fn run_on_balanced_samples(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
+        if self.degree == 1 || self.points.len() <= 2 * SAMPLE {
+            return None;
+        }
+        let left = self.left.min(FIT_STEPS_A_POINT * self.points.len());
+        let mut search = FitSearch { left, ..*self };
+        let (mut n, mut n_missed, mut found) = (SAMPLE, 0, None);
+        while found.is_none() && n_missed < MISSING_SAMPLES && 0 < search.left {
+            let is_all = self.points.len() < 2 * n;
+            let n_chosen = if is_all { self.points.len() } else { n };
+            match search.run_on_balanced_sample(n_chosen, parameters) {
+                Ok(curve) => found = Some(curve),
+                Err(Unbalanced::TooFewPoints) if !is_all => {}
+                Err(Unbalanced::OthersMissed) => n_missed += 1,
+                Err(_) => break,
+            }
+            n *= 2;
+        }
+        self.left -= left - search.left;
+        found
+    }
+
+    /// The curve that about `n` of the points ask for, if the others are near to it, or are once it is fitted to all.
+    fn run_on_balanced_sample(
+        &mut self,
+        n: usize,
+        parameters: &[f64],
+    ) -> Result<FittedCurve, Unbalanced> {
+        let sample = Sample::new(n, self.points, parameters);
+        let is_all = sample.chosen.len() == self.points.len();
+        let share = if is_all { 1.0 } else { SAMPLE_SHARE };
+        let tolerance = share * self.tolerance;
+        let mut search = FitSearch { points: &sample.points, tolerance, ..*self };
+        let found = search.balanced(&sample.parameters);
+        self.left = search.left;
+        let found = found?;
+        if is_all {
+            return Ok(found);
+        }
+        if sample.chosen.len() <= POINTS_A_CONTROL * found.n_control() {
+            return Err(Unbalanced::TooFewPoints);
+        }
+        let whole = self.of_all(&found, &sample.chosen, parameters);
+        if self.keeps(&whole) {
+            return Ok(whole);
+        }
+        let again = (whole.worst <= ALMOST * self.tolerance)
+            .then(|| self.slid_soon(found.curve.knots(), &whole.parameters));
+        again.flatten().filter(|curve| self.keeps(curve)).ok_or(Unbalanced::OthersMissed)
+    }
+
     /// The curve that a sample of the points asks for: of ever more points until the others are near to
     /// it too, or are once it has a few knots more; `None` where no sample tells enough.
     pub(super) fn run_on_samples(&mut self, parameters: &[f64]) -> Option<FittedCurve> {
@@ -37,24 +98,14 @@ impl FitSearch<'_> {
 
     /// The curve that about `n` of the points ask for, if the others are near to it.
     fn run_on_sample(&mut self, n: usize, parameters: &[f64]) -> Option<FittedCurve> {
-        let last = self.points.len() - 1;
-        let stride = last.div_ceil(n);
-        let chosen: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
-        let points: Vec<DVec3> = chosen.iter().map(|&i| self.points[i]).collect();
-        let places: Vec<f64> = chosen.iter().map(|&i| parameters[i]).collect();
+        let sample = Sample::new(n, self.points, parameters);
         let tolerance = SAMPLE_SHARE * self.tolerance;
-        let mut search = FitSearch { points: &points, tolerance, ..*self };
-        let sample = search.run_on_all(&places);
+        let mut search = FitSearch { points: &sample.points, tolerance, ..*self };
+        let found = search.run_on_all(&sample.parameters);
         self.left = search.left;
-        let sample = sample.ok().filter(|s| POINTS_A_CONTROL * s.n_control() < chosen.len())?;
-        let start = match self.are_fixed {
-            true => parameters.to_vec(),
-            false => self.feet_between(&sample, &chosen, parameters),
-        };
-        let places = sample.curve.evaluator();
-        let pairs = self.points.iter().zip(&start);
-        let misses = pairs.map(|(point, &t)| places.point_at(t).distance(*point)).collect();
-        let whole = FittedCurve::new(sample.curve.clone(), start, misses);
+        let found =
+            found.ok().filter(|s| POINTS_A_CONTROL * s.n_control() < sample.chosen.len())?;
+        let whole = self.of_all(&found, &sample.chosen, parameters);
         if self.keeps(&whole) {
             return Some(whole);
         }
@@ -62,11 +113,19 @@ impl FitSearch<'_> {
             return None;
         }
         let start = whole.parameters;
-        self.grown(
-            sample.curve.knots().clone(),
-            &start,
-            sample.n_control() + sample.n_control() / 8,
-        )
+        self.grown(found.curve.knots().clone(), &start, found.n_control() + found.n_control() / 8)
+    }
+
+    /// The curve of a sample with the places of all points on it.
+    fn of_all(&self, found: &FittedCurve, chosen: &[usize], parameters: &[f64]) -> FittedCurve {
+        let start = match self.are_fixed {
+            true => parameters.to_vec(),
+            false => self.feet_between(found, chosen, parameters),
+        };
+        let places = found.curve.evaluator();
+        let pairs = self.points.iter().zip(&start);
+        let misses = pairs.map(|(point, &t)| places.point_at(t).distance(*point)).collect();
+        FittedCurve::new(found.curve.clone(), start, misses)
     }
 
     /// The nearest places of all points on the curve of a sample: each lies between those of the two around it
@@ -94,5 +153,26 @@ impl FitSearch<'_> {
         }
         feet[parameters.len() - 1] = sample.parameters[chosen.len() - 1];
         feet
+    }
+}
+
+/// Some of the points, evenly chosen, with the first and the last.
+struct Sample {
+    chosen: Vec<usize>,
+    points: Vec<DVec3>,
+    parameters: Vec<f64>,
+}
+
+impl Sample {
+    /// About `n` of them.
+    fn new(n: usize, points: &[DVec3], parameters: &[f64]) -> Self {
+        let last = points.len() - 1;
+        let stride = last.div_ceil(n).max(1);
+        let chosen: Vec<usize> = (0..last).step_by(stride).chain([last]).collect();
+        Self {
+            points: chosen.iter().map(|&i| points[i]).collect(),
+            parameters: chosen.iter().map(|&i| parameters[i]).collect(),
+            chosen,
+        }
     }
 }

@@ -2,7 +2,9 @@
 
 use glam::{DVec3, DVec4};
 
-use super::{Ends, Interpolator, least::Approximator, slide::slid, spread};
+use super::{
+    Ends, Interpolator, least::Approximator, slide::slid, span_errors::SpanErrors, spread,
+};
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve, Parametrization,
     ceiling::FIT_CORRECTIONS,
@@ -62,7 +64,7 @@ pub(super) struct FittedCurve {
     misses: Vec<f64>,
     pub(super) worst: f64,
     /// The sum of their squares.
-    squares: f64,
+    pub(super) squares: f64,
     /// Point, first and second derivative of the curve at each parameter, where they were asked for.
     places: Vec<[DVec3; 3]>,
 }
@@ -77,6 +79,11 @@ impl FittedCurve {
     pub(super) fn n_control(&self) -> usize {
         self.curve.control_points().len()
     }
+
+    /// What the spans miss, if that falls with their width to the power of an order.
+    pub(super) fn span_errors(&self, order: f64) -> SpanErrors {
+        SpanErrors::new(self.curve.knots(), &self.parameters, &self.misses, order)
+    }
 }
 
 impl FitSearch<'_> {
@@ -85,13 +92,21 @@ impl FitSearch<'_> {
     /// # Errors
     /// [`FitError::ToleranceNotKept`] below the rounding of the coordinates.
     pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
-        if let Some(found) = self.run_on_samples(parameters) {
-            return Ok(found);
+        match self.run_on_balanced_samples(parameters) {
+            Some(found) => Ok(found),
+            None => self.run_by_thinning(parameters),
         }
-        self.run_on_all(parameters)
     }
 
-    /// [`Self::run`], all points looked at from the beginning.
+    /// [`Self::run`], knots taken away one after the other.
+    pub(super) fn run_by_thinning(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
+        match self.run_on_samples(parameters) {
+            Some(found) => Ok(found),
+            None => self.run_on_all(parameters),
+        }
+    }
+
+    /// [`Self::run_by_thinning`], all points looked at from the beginning.
     pub(super) fn run_on_all(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
         let domain = [parameters[0], parameters[parameters.len() - 1]];
         let ends = domain.map(|t| vec![t; self.degree + 1]);
@@ -172,7 +187,7 @@ impl FitSearch<'_> {
     }
 
     /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
-    fn slid(&mut self, trial: &FittedCurve, along: f64) -> Option<FittedCurve> {
+    pub(super) fn slid(&mut self, trial: &FittedCurve, along: f64) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
         let parameters =
             self.corrected(&trial.curve, trial.parameters.clone(), Some(&trial.places));
@@ -195,7 +210,11 @@ impl FitSearch<'_> {
         Some(FittedCurve { places, ..FittedCurve::new(curve, parameters, misses) })
     }
 
-    fn fitted(&mut self, knots: &KnotVector, parameters: Vec<f64>) -> Option<FittedCurve> {
+    pub(super) fn fitted(
+        &mut self,
+        knots: &KnotVector,
+        parameters: Vec<f64>,
+    ) -> Option<FittedCurve> {
         self.left = self.left.saturating_sub(self.points.len());
         let fit = Approximator::new(&parameters, knots.clone()).ok()?;
         let found = fit.near_points(self.points).ok()?;
@@ -348,7 +367,7 @@ impl FitSearch<'_> {
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
     /// one found needs comes to it; else how far the nearest one misses.
-    fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+    pub(super) fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         let mut least = f64::INFINITY;
         for _ in 0..KNOT_SPREADS {

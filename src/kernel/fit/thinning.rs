@@ -47,7 +47,7 @@ impl FitSearch<'_> {
     }
 
     /// What the removal of each inner knot would displace, the least first.
-    fn costs(&self, curve: &NurbsCurve) -> Vec<(f64, usize)> {
+    pub(super) fn costs(&self, curve: &NurbsCurve) -> Vec<(f64, usize)> {
         let (knots, points) = (curve.knots().as_slice(), curve.control_points());
         let inner = self.degree + 1..points.len();
         let mut costs: Vec<(f64, usize)> =

@@ -7,6 +7,9 @@ use super::{KnotVector, reciprocals::UNROLLED_DEGREE};
 /// Degrees whose basis fits a small array on the stack.
 const SMALL_DEGREE: usize = 7;
 
+/// Derivatives, the values among them, whose rows fit there as well.
+const SMALL_ROWS: usize = 4;
+
 impl KnotVector {
     /// [`Self::span_at`], looked for at another span and behind it first: of parameters in order each
     /// is near the one before.
@@ -77,6 +80,49 @@ impl KnotVector {
                 let (mut values, mut slopes) = (vec![0.0; degree + 1], vec![0.0; degree + 1]);
                 self.slopes_at(span, t, &mut values, &mut slopes);
                 f(&values, &slopes)
+            }
+        }
+    }
+
+    /// Calls `f` with the rows of [`Self::basis_derivatives_on`]; no heap allocation up to degree 7 and order 3.
+    #[inline]
+    pub(crate) fn with_derivatives<R>(
+        &self,
+        span: usize,
+        t: f64,
+        order: usize,
+        f: impl FnOnce(&[f64]) -> R,
+    ) -> R {
+        let n = (order + 1) * (self.degree + 1);
+        let mut few = [0.0; SMALL_ROWS * (SMALL_DEGREE + 1)];
+        match few.get_mut(..n) {
+            Some(rows) => {
+                self.fill_derivatives(span, t, rows);
+                f(rows)
+            }
+            None => {
+                let mut rows = vec![0.0; n];
+                self.fill_derivatives(span, t, &mut rows);
+                f(&rows)
+            }
+        }
+    }
+
+    /// The rows of [`Self::basis_derivatives_on`], as many as there is room for, which is zero before.
+    pub(super) fn fill_derivatives(&self, span: usize, t: f64, rows: &mut [f64]) {
+        let p = self.degree;
+        let (values, rest) = rows.split_at_mut(p + 1);
+        // The values of each lower degree are met on the way to those of degree p.
+        values[0] = 1.0;
+        for q in 1..=p {
+            if let Some(row) = rest.chunks_exact_mut(p + 1).nth(p - q) {
+                row.copy_from_slice(values);
+            }
+            self.raise(q, span, t, values);
+        }
+        for (k, row) in rest.chunks_exact_mut(p + 1).enumerate().take(p) {
+            for q in p - k..=p {
+                self.differentiate(q, span, row);
             }
         }
     }

@@ -241,14 +241,13 @@ impl KnotVector {
         let (first, last) = (self.degree, self.n_points());
         let inside = &self.knots[first..=last];
         let (start, end) = (inside[0], inside[last - first]);
-        let t = t.max(start).min(end);
-        let n_before = match side {
-            Side::Right if t < end => inside.partition_point(|&knot| knot <= t),
-            Side::Left if start < t => inside.partition_point(|&knot| knot < t),
-            Side::Left => inside.partition_point(|&knot| knot <= t),
-            Side::Right => inside.partition_point(|&knot| knot < t),
-        };
-        first + n_before - 1
+        match side {
+            Side::Left if start < t => {
+                first + inside.partition_point(|&knot| knot < t.min(end)) - 1
+            }
+            // At the start there is nothing on the left.
+            Side::Left | Side::Right => self.span_at(t),
+        }
     }
 
     /// Each knot once, with its multiplicity, over the whole vector.
@@ -366,12 +365,7 @@ impl KnotVector {
     pub fn basis_derivatives_on(&self, span: usize, t: f64, order: usize) -> Grid<f64> {
         let p = self.degree;
         let mut values = vec![0.0; (order + 1) * (p + 1)];
-        for (k, row) in values.chunks_mut(p + 1).enumerate().take(p + 1) {
-            self.basis_of_degree(p - k, span, t, row);
-            for q in p - k + 1..=p {
-                self.differentiate(q, span, row);
-            }
-        }
+        self.fill_derivatives(span, t, &mut values);
         Grid::from_rows_of(p + 1, values)
     }
 

@@ -14,6 +14,16 @@ pub const RANK_RELATIVE: f64 = 1e-8;
 /// lie on a line.
 pub const SLIDE_RELATIVE: f64 = 1e-3;
 
+/// [`SLIDE_RELATIVE`] of a search that lets points slide a few times only.
+///
+/// Larger takes more steps; smaller makes steps that go too far.
+pub(crate) const BALANCED_SLIDE_RELATIVE: f64 = 1e-4;
+
+/// A span is taken to miss its points by this share of what the worst one does at least.
+///
+/// Larger spends knots where none are needed; smaller leaves spans so long that the next curve misses there.
+pub(crate) const LEAST_ERROR_SHARE: f64 = 0.02;
+
 /// The least density of knots that are spread by what data or a curve need, as a share of the mean: no
 /// part of a curve is left without.
 ///

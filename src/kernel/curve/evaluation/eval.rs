@@ -1,8 +1,9 @@
 //! Points and derivatives of curves.
 
 use glam::{DVec3, DVec4};
+use smallvec::SmallVec;
 
-use crate::{Grid, Interval, Side, curve::NurbsCurve, frame::norm, homogeneous, knots::acting};
+use crate::{Interval, Side, curve::NurbsCurve, frame::norm, homogeneous, knots::acting};
 
 impl NurbsCurve {
     /// Point at parameter `t`; outside the domain the first and the last piece go on.
@@ -91,13 +92,23 @@ impl NurbsCurve {
         })
     }
 
-    pub(crate) fn homogeneous_derivatives(&self, span: usize, t: f64, order: usize) -> Vec<DVec4> {
+    /// Homogeneous derivatives at `t` of the piece of one span, by order; no heap allocation up to degree 7 and order 3.
+    pub(crate) fn homogeneous_derivatives(
+        &self,
+        span: usize,
+        t: f64,
+        order: usize,
+    ) -> SmallVec<[DVec4; 4]> {
         let points = &self.control_points[self.knots.support(span)];
-        let basis: Grid<f64> = self.knots.basis_derivatives_on(span, t, order.min(self.degree()));
-        let contract = |k: usize| {
-            points.iter().zip(basis.row(k)).fold(DVec4::ZERO, |sum, (&point, &n)| sum + point * n)
+        let contract = |basis: &[f64]| {
+            points.iter().zip(basis).fold(DVec4::ZERO, |sum, (&point, &n)| sum + point * n)
         };
-        (0..=order).map(|k| if k < basis.n_rows() { contract(k) } else { DVec4::ZERO }).collect()
+        self.knots.with_derivatives(span, t, order.min(self.degree()), |rows| {
+            let mut found: SmallVec<[DVec4; 4]> =
+                rows.chunks_exact(points.len()).map(contract).collect();
+            found.resize(order + 1, DVec4::ZERO);
+            found
+        })
     }
 
     /// `n` points at evenly spaced parameters, both ends among them; one point is the start.

@@ -162,7 +162,7 @@ impl Curve {
         let homogeneous = match self {
             Self::Nurbs(curve) => {
                 let span = curve.knots().span_beside(around.parameter, around.side);
-                curve.homogeneous_derivatives(span, around.parameter, MAX_ORDER)
+                curve.homogeneous_derivatives(span, around.parameter, MAX_ORDER).into_vec()
             }
             // Weight one, which does not change.
             Self::Parametric(_) => {
