@@ -81,6 +81,26 @@ impl KnotVector {
         }
     }
 
+    /// Calls `f` with the basis on a span and its derivatives of orders below `N`, those of
+    /// [`Self::basis_derivatives_on`] to the last bit; no heap allocation up to degree 7.
+    pub(crate) fn with_derivatives<const N: usize, R>(
+        &self,
+        span: usize,
+        t: f64,
+        f: impl FnOnce([&[f64]; N]) -> R,
+    ) -> R {
+        let n = self.degree + 1;
+        if self.degree <= SMALL_DEGREE {
+            let mut rows = [[0.0; SMALL_DEGREE + 1]; N];
+            for (order, row) in rows.iter_mut().enumerate() {
+                self.write_basis_derivative(order, span, t, &mut row[..n]);
+            }
+            return f(rows.each_ref().map(|row| &row[..n]));
+        }
+        let rows = self.basis_derivatives_on(span, t, N - 1);
+        f(from_fn(|order| rows.row(order)))
+    }
+
     fn slopes_at(&self, span: usize, t: f64, values: &mut [f64], slopes: &mut [f64]) {
         values[0] = 1.0;
         if self.degree > 0 {

@@ -364,15 +364,20 @@ impl KnotVector {
     /// [`Self::basis_derivatives_at`] with the span given.
     #[must_use]
     pub fn basis_derivatives_on(&self, span: usize, t: f64, order: usize) -> Grid<f64> {
-        let p = self.degree;
-        let mut values = vec![0.0; (order + 1) * (p + 1)];
-        for (k, row) in values.chunks_mut(p + 1).enumerate().take(p + 1) {
-            self.basis_of_degree(p - k, span, t, row);
-            for q in p - k + 1..=p {
-                self.differentiate(q, span, row);
-            }
+        let mut values = vec![0.0; (order + 1) * (self.degree + 1)];
+        for (k, row) in values.chunks_mut(self.degree + 1).enumerate() {
+            self.write_basis_derivative(k, span, t, row);
         }
-        Grid::from_rows_of(p + 1, values)
+        Grid::from_rows_of(self.degree + 1, values)
+    }
+
+    /// Writes those of one order on a span into p + 1 zeros.
+    fn write_basis_derivative(&self, order: usize, span: usize, t: f64, values: &mut [f64]) {
+        let Some(degree) = self.degree.checked_sub(order) else { return };
+        self.basis_of_degree(degree, span, t, values);
+        for q in degree + 1..=self.degree {
+            self.differentiate(q, span, values);
+        }
     }
 
     /// Turns values of degree q − 1 on a span into derivatives of degree q, in place.
