@@ -10,6 +10,7 @@ surface elbow = revolve(rotate(circle((3, 0, 0), 1, normal = (0, 1, 0)), 50deg, 
 surface wave = interpolate([for i in 0..4: [for j in 0..4: (i, j, 0.5 * sin(i) * cos(0.7 * j))]])
 let wave_height = 0.5 * sin(2) * cos(1.4)
 surface egg = scale(ball, (1, 1, 1.5))
+surface dome = bezier([[(0, 0, 0), (0, 1, 0.2), (0, 2, 0)], [(2, 0, 0.3), (2, 1, 1), (2, 2, 0.3)], [(4, 0, 0), (4, 1, 0.2), (4, 2, 0)]])
 surface vase = revolve(interpolate([(1, 0, 0), (1.4, 0, 0.7), (0.8, 0, 1.6), (1, 0, 2.4)]))
 fn project_circle(x, y) = parametric(t => (x + 0.5 * cos(t), y + 0.5 * sin(t), 1 + (y + 0.5 * sin(t)) / 4), 0..tau)
 
@@ -50,9 +51,11 @@ face elbow_part = trim(elbow, by = plane((3, 1, 0), (0.3, 1, 0.4)), keep = "abov
 // Planes.
 face pane_round = face(plane_patch((0, 0), (4, 0), (0, 4)), [circle((2, 2), 1)])
 face pane_holes = face(plane_patch((0, 0, 1), (4, 0, 0), (0, 4, 1)), [reversed(project_circle(1, 1)), reversed(project_circle(3, 2.5))])
+face pane_notched = trim(plane_patch((0, 0), (4, 0), (0, 2)), by = circle((1.5, 0.5), 0.5), keep = (0.1, 0.1))
 // NURBS.
 face wave_round = trim(wave, by = cylinder((2, 2, -5), 1.2, 10), keep = (2, 2, wave_height))
 face wave_rest = trim(wave, by = cylinder((2, 2, -5), 1.2, 10), keep = wave(0, 0))
+face dome_touching = trim(dome, by = [cylinder((1.5, 1, -2), 0.5, 5), cylinder((2.5, 1, -2), 0.5, 5)], keep = dome(0.02, 0.02))
 face wave_half = trim(wave, by = plane((2, 2, 0), (1, 0.7, 0.1)), keep = "above")
 face wave_uv = face(wave, [polyline([(0.1, 0.1), (0.4, 0.15), (0.6, 0.9), (0.2, 0.7)], closed = true)], space = "uv")
 face egg_half = trim(egg, by = plane((0.2, 0, 0), (1, 0.3, 0.2)), keep = "above")
@@ -142,10 +145,14 @@ export pane_round to "trimmed/pane_round.step"
 export pane_round to "trimmed/pane_round.igs"
 export pane_holes to "trimmed/pane_holes.step"
 export pane_holes to "trimmed/pane_holes.igs"
+export pane_notched to "trimmed/pane_notched.step"
+export pane_notched to "trimmed/pane_notched.igs"
 export wave_round to "trimmed/wave_round.step"
 export wave_round to "trimmed/wave_round.igs"
 export wave_rest to "trimmed/wave_rest.step"
 export wave_rest to "trimmed/wave_rest.igs"
+export dome_touching to "trimmed/dome_touching.step"
+export dome_touching to "trimmed/dome_touching.igs"
 export wave_half to "trimmed/wave_half.step"
 export wave_half to "trimmed/wave_half.igs"
 export wave_uv to "trimmed/wave_uv.step"
@@ -193,7 +200,7 @@ export shell to "trimmed/shell.igs"
 export shell_cut to "trimmed/shell_cut.step"
 export shell_cut to "trimmed/shell_cut.igs"
 export table({
-    name: ["ball_cap", "ball_dot", "ball_side", "ball_back", "ball_tilted", "ball_polar", "ball_without", "ball_by_pole", "ball_half", "ball_near_meridian", "ball_belt", "ball_pierced", "ball_window", "ball_leaf", "tube_slant", "tube_steep", "tube_side", "tube_hole", "tube_port", "tube_arcs", "hat_slant", "hat_tip", "hat_parabola", "hat_hyperbola", "hat_hole", "ring_slant", "ring_top", "ring_hole", "ring_port", "elbow_part", "pane_round", "pane_holes", "wave_round", "wave_rest", "wave_half", "wave_uv", "egg_half", "vase_part", "vase_hole", "plate", "thin", "leaning", "pipe", "bend", "pear", "ball_cut", "ball_twice", "ball_quarter", "log_cut", "log_thin", "hat_cut", "ring_cut", "ring_half", "pipe_cut", "vase_cut", "shell", "shell_cut"],
-    area: [area(ball_cap), area(ball_dot), area(ball_side), area(ball_back), area(ball_tilted), area(ball_polar), area(ball_without), area(ball_by_pole), area(ball_half), area(ball_near_meridian), area(ball_belt), area(ball_pierced), area(ball_window), area(ball_leaf), area(tube_slant), area(tube_steep), area(tube_side), area(tube_hole), area(tube_port), area(tube_arcs), area(hat_slant), area(hat_tip), area(hat_parabola), area(hat_hyperbola), area(hat_hole), area(ring_slant), area(ring_top), area(ring_hole), area(ring_port), area(elbow_part), area(pane_round), area(pane_holes), area(wave_round), area(wave_rest), area(wave_half), area(wave_uv), area(egg_half), area(vase_part), area(vase_hole), area(plate), area(thin), area(leaning), area(pipe), area(bend), area(pear), area(ball_cut), area(ball_twice), area(ball_quarter), area(log_cut), area(log_thin), area(hat_cut), area(ring_cut), area(ring_half), area(pipe_cut), area(vase_cut), area(shell), area(shell_cut)],
-    volume: [0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, volume(plate), volume(thin), volume(leaning), volume(pipe), volume(bend), volume(pear), volume(ball_cut), volume(ball_twice), volume(ball_quarter), volume(log_cut), volume(log_thin), volume(hat_cut), volume(ring_cut), volume(ring_half), volume(pipe_cut), volume(vase_cut), volume(shell), volume(shell_cut)],
+    name: ["ball_cap", "ball_dot", "ball_side", "ball_back", "ball_tilted", "ball_polar", "ball_without", "ball_by_pole", "ball_half", "ball_near_meridian", "ball_belt", "ball_pierced", "ball_window", "ball_leaf", "tube_slant", "tube_steep", "tube_side", "tube_hole", "tube_port", "tube_arcs", "hat_slant", "hat_tip", "hat_parabola", "hat_hyperbola", "hat_hole", "ring_slant", "ring_top", "ring_hole", "ring_port", "elbow_part", "pane_round", "pane_holes", "pane_notched", "wave_round", "wave_rest", "dome_touching", "wave_half", "wave_uv", "egg_half", "vase_part", "vase_hole", "plate", "thin", "leaning", "pipe", "bend", "pear", "ball_cut", "ball_twice", "ball_quarter", "log_cut", "log_thin", "hat_cut", "ring_cut", "ring_half", "pipe_cut", "vase_cut", "shell", "shell_cut"],
+    area: [area(ball_cap), area(ball_dot), area(ball_side), area(ball_back), area(ball_tilted), area(ball_polar), area(ball_without), area(ball_by_pole), area(ball_half), area(ball_near_meridian), area(ball_belt), area(ball_pierced), area(ball_window), area(ball_leaf), area(tube_slant), area(tube_steep), area(tube_side), area(tube_hole), area(tube_port), area(tube_arcs), area(hat_slant), area(hat_tip), area(hat_parabola), area(hat_hyperbola), area(hat_hole), area(ring_slant), area(ring_top), area(ring_hole), area(ring_port), area(elbow_part), area(pane_round), area(pane_holes), area(pane_notched), area(wave_round), area(wave_rest), area(dome_touching), area(wave_half), area(wave_uv), area(egg_half), area(vase_part), area(vase_hole), area(plate), area(thin), area(leaning), area(pipe), area(bend), area(pear), area(ball_cut), area(ball_twice), area(ball_quarter), area(log_cut), area(log_thin), area(hat_cut), area(ring_cut), area(ring_half), area(pipe_cut), area(vase_cut), area(shell), area(shell_cut)],
+    volume: [0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, 0mm^3, volume(plate), volume(thin), volume(leaning), volume(pipe), volume(bend), volume(pear), volume(ball_cut), volume(ball_twice), volume(ball_quarter), volume(log_cut), volume(log_thin), volume(hat_cut), volume(ring_cut), volume(ring_half), volume(pipe_cut), volume(vase_cut), volume(shell), volume(shell_cut)],
     }) to "trimmed.csv"

@@ -3,8 +3,8 @@
 use std::{f64::consts::PI, sync::Arc};
 
 use virote_kernel::{
-    CircleForm, Cutter, Face, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface, Surface,
-    Tolerance,
+    CircleForm, Cutter, Face, FaceEdge, FaceError, Frame, GeomError, NurbsCurve, NurbsSurface,
+    Surface, Tolerance,
     glam::{DAffine3, DVec3},
 };
 
@@ -71,6 +71,47 @@ fn discs_that_touch_one_another_and_the_border_are_parts_of_their_own() {
     let wanted = [0.25 * PI, 0.75 * PI, PI, rest, rest];
     assert_eq!(found.len(), 5, "{found:?}");
     assert!(found.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?}");
+}
+
+#[test]
+fn holes_that_touch_end_edges_where_they_touch() {
+    let square = NurbsSurface::bilinear(
+        DVec3::ZERO,
+        DVec3::Y * 4.0,
+        DVec3::X * 4.0,
+        DVec3::X * 4.0 + DVec3::Y * 4.0,
+    );
+    let square = square.unwrap();
+    for n in 0..orientations() {
+        let [a, b, c, ..] = fractions(n);
+        let place = DAffine3::from_translation(DVec3::new(0.3, -1.7, 0.9)) * turn(n);
+        let disc = |middle: DVec3, radius: f64| {
+            let circle =
+                NurbsCurve::ellipse(Frame::XY.at(middle), [radius; 2], CircleForm::NinePoint);
+            Cutter::Curve(circle.unwrap().transformed(&place))
+        };
+        let (radius, other) = (0.2 + 0.4 * a, 0.2 + 0.4 * b);
+        let middle = DVec3::new(1.8 + 0.4 * c, 2.2, 0.0);
+        let way = DVec3::new(libm::cos(6.0 * b), libm::sin(6.0 * b), 0.0);
+        let of_two = [disc(middle, radius), disc(middle + way * (radius + other), other)];
+        let at_border = [disc(DVec3::new(1.0 + c, radius, 0.0), radius)];
+        for (cutters, touch) in
+            [(&of_two[..], middle + way * radius), (&at_border[..], DVec3::new(1.0 + c, 0.0, 0.0))]
+        {
+            let face = whole(square.transformed(&place));
+            let corner = place.transform_point3(DVec3::new(3.9, 3.9, 0.0));
+            let rest = face.part_at(cutters, corner, TOLERANCE).unwrap();
+            let touch = place.transform_point3(touch);
+            let parts = rest.part_edges(TOLERANCE).unwrap();
+            assert_eq!(parts.len(), 1, "{n}");
+            assert_eq!(parts[0].len(), 1 + cutters.len(), "{n}");
+            let ends_there = |edges: &&Vec<FaceEdge>| {
+                let mut curves = edges.iter().filter_map(|edge| edge.curve.as_ref());
+                curves.any(|curve| curve.start().distance(touch) <= 2e-6)
+            };
+            assert_eq!(parts[0].iter().filter(ends_there).count(), 2, "{n}");
+        }
+    }
 }
 
 #[test]

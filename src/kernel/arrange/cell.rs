@@ -63,7 +63,11 @@ impl Arrangement {
             while let Some(step) = exits[vertex].pop() {
                 for steps in self.walk(step, &mut exits, &mut left_by)? {
                     let component = components[self.ends_of(steps[0])[0]];
-                    loops.push(CellLoop { arcs: self.arcs_of(&steps)?, steps, component });
+                    loops.push(CellLoop {
+                        arcs: self.arcs_of(&steps, |_| false)?,
+                        steps,
+                        component,
+                    });
                 }
             }
         }

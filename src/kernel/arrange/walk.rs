@@ -86,10 +86,11 @@ impl Arrangement {
                 loops.extend(self.walk(step, &mut exits, &mut left_by)?);
             }
         }
-        loops.iter().map(|steps| self.arcs_of(steps)).collect()
+        loops.iter().map(|steps| self.arcs_of(steps, |_| false)).collect()
     }
 
-    pub(super) fn ends_of(&self, (edge, is_along): OrientedEdge) -> [usize; 2] {
+    /// The vertices where a step starts and ends.
+    pub(crate) fn ends_of(&self, (edge, is_along): OrientedEdge) -> [usize; 2] {
         let [start, end] = self.edges[edge].ends;
         if is_along { [start, end] } else { [end, start] }
     }
@@ -164,19 +165,30 @@ impl Arrangement {
         }
     }
 
-    /// The arcs along a loop; those that follow one another on one given arc are one.
-    pub(super) fn arcs_of(&self, steps: &[OrientedEdge]) -> Result<Vec<NurbsCurve>, GeomError> {
+    /// The arcs along a loop; those that follow one another on one given arc are one, unless they are cut at the
+    /// vertex between them.
+    pub(crate) fn arcs_of(
+        &self,
+        steps: &[OrientedEdge],
+        is_cut_at: impl Fn(usize) -> bool,
+    ) -> Result<Vec<NurbsCurve>, GeomError> {
+        let begins_cut = |&step: &OrientedEdge| is_cut_at(self.ends_of(step)[0]);
         let mut parts: Vec<(usize, Interval, bool)> = Vec::new();
-        for &(edge, is_along) in steps {
-            let PlaneEdge { arc, interval, .. } = self.edges[edge];
+        for step in steps {
+            let PlaneEdge { arc, interval, .. } = self.edges[step.0];
+            let part = (arc, interval, step.1);
             match parts.last_mut() {
-                Some(last) if let Some(whole) = self.follows(last, (arc, interval, is_along)) => {
+                Some(last)
+                    if !begins_cut(step)
+                        && let Some(whole) = self.follows(last, part) =>
+                {
                     last.1 = whole;
                 }
-                _ => parts.push((arc, interval, is_along)),
+                _ => parts.push(part),
             }
         }
         if let [first, .., last] = parts[..]
+            && !steps.first().is_some_and(begins_cut)
             && let Some(whole) = self.follows(&last, first)
         {
             parts[0].1 = whole;

@@ -127,6 +127,18 @@ impl KnotVector {
         }
     }
 
+    /// As [`Self::with_derivatives`], of orders below `N`, each row by itself.
+    #[inline]
+    pub(crate) fn with_derivative_rows<const N: usize, R>(
+        &self,
+        span: usize,
+        t: f64,
+        f: impl FnOnce([&[f64]; N]) -> R,
+    ) -> R {
+        let n = self.degree + 1;
+        self.with_derivatives(span, t, N - 1, |rows| f(from_fn(|k| &rows[k * n..][..n])))
+    }
+
     fn slopes_at(&self, span: usize, t: f64, values: &mut [f64], slopes: &mut [f64]) {
         values[0] = 1.0;
         if self.degree > 0 {

@@ -1,5 +1,7 @@
 //! The parts into which arcs divide a plane, as regions.
 
+use std::collections::BTreeSet;
+
 use super::{PlaneLoop, Region, RegionError};
 use crate::{
     Frame, GeomError,
@@ -13,13 +15,22 @@ pub(crate) struct PlaneCell {
     pub(crate) steps: Vec<OrientedEdge>,
 }
 
-impl PlaneCell {
-    /// The edges around it, in the order of their numbers.
-    fn edges(&self) -> Vec<usize> {
-        let mut edges: Vec<usize> = self.steps.iter().map(|&(edge, _)| edge).collect();
-        edges.sort_unstable();
-        edges
-    }
+/// Such a part, with what is known of its borders.
+struct BorderedCell {
+    /// What its outer border goes around.
+    area: f64,
+    /// The number that edges have in common which hang together with that.
+    component: usize,
+    /// The outer border and those of the holes, and the steps around each of them.
+    loops: Vec<PlaneLoop>,
+    steps: Vec<Vec<OrientedEdge>>,
+}
+
+/// The numbers of edges, in order.
+fn sorted_edges(steps: &[OrientedEdge]) -> Vec<usize> {
+    let mut edges: Vec<usize> = steps.iter().map(|&(edge, _)| edge).collect();
+    edges.sort_unstable();
+    edges
 }
 
 /// Whether each edge of a loop is run along both ways: it holds nothing.
@@ -31,7 +42,8 @@ fn runs_there_and_back(steps: &[OrientedEdge]) -> bool {
 }
 
 /// The bounded parts into which the edges divide the plane z = 0, in the order in which they are found;
-/// no edge may be loose. Chains of edges with the same part on both sides are around none.
+/// no edge may be loose. Chains of edges with the same part on both sides are around none. Where loops around a part
+/// touch their arcs are cut.
 ///
 /// # Errors
 /// [`RegionError::Unclear`], [`RegionError::Thin`].
@@ -49,32 +61,63 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
             return Err(RegionError::Thin { point, width, tolerance: distance }.into());
         }
         if 0.0 < area {
-            let region = Region { frame: Frame::XY, loops: vec![border] };
-            parts.push((area, component, PlaneCell { region, steps }));
+            let (loops, steps) = (vec![border], vec![steps]);
+            parts.push(BorderedCell { area, component, loops, steps });
         } else {
             holes.push((component, border, steps));
         }
     }
-    let outer_edges: Vec<Vec<usize>> = parts.iter().map(|(.., part)| part.edges()).collect();
+    let outer_edges: Vec<Vec<usize>> =
+        parts.iter().map(|part| sorted_edges(&part.steps[0])).collect();
     for (component, hole, steps) in holes {
         let mut around: Option<usize> = None;
-        for (i, (area, own, part)) in parts.iter().enumerate() {
-            let is_smaller = around.is_none_or(|best| *area < parts[best].0);
-            let outer = &part.region.loops[0];
+        for (i, part) in parts.iter().enumerate() {
+            let is_smaller = around.is_none_or(|best| part.area < parts[best].area);
+            let outer = &part.loops[0];
             // What hangs on a part in vertices alone may be a hole of it; along an edge they are neighbours.
             let is_beside =
                 || steps.iter().any(|(edge, _)| outer_edges[i].binary_search(edge).is_ok());
             let may = is_smaller && outer.bounds().holds(hole.bounds(), distance);
-            if may && !(*own == component && is_beside()) && outer.holds(&hole)? {
+            if may && !(part.component == component && is_beside()) && outer.holds(&hole)? {
                 around = Some(i);
             }
         }
         // What goes around everything of its own has nothing around it.
         if let Some(around) = around {
-            let part = &mut parts[around].2;
-            part.region.loops.push(hole);
-            part.steps.extend(steps);
+            parts[around].loops.push(hole);
+            parts[around].steps.push(steps);
         }
     }
-    Ok(parts.into_iter().map(|(_, _, part)| part).collect())
+    let mut cells = Vec::with_capacity(parts.len());
+    for BorderedCell { mut loops, steps, .. } in parts {
+        cut_where_they_touch(&mut loops, &steps, arrangement)?;
+        let region = Region { frame: Frame::XY, loops };
+        cells.push(PlaneCell { region, steps: steps.concat() });
+    }
+    Ok(cells)
+}
+
+/// Cuts the arcs of loops with these steps at the vertices through which more than one of them goes.
+///
+/// # Errors
+/// Those of [`Arrangement::arcs_of`].
+fn cut_where_they_touch(
+    loops: &mut [PlaneLoop],
+    steps: &[Vec<OrientedEdge>],
+    arrangement: &Arrangement,
+) -> Result<(), GeomError> {
+    let (mut known, mut shared) = (BTreeSet::new(), BTreeSet::new());
+    for step in steps.iter().flatten() {
+        let vertex = arrangement.ends_of(*step)[0];
+        if !known.insert(vertex) {
+            shared.insert(vertex);
+        }
+    }
+    let touches = |steps: &[OrientedEdge]| {
+        steps.iter().any(|&step| shared.contains(&arrangement.ends_of(step)[0]))
+    };
+    for (border, steps) in loops.iter_mut().zip(steps).filter(|(_, steps)| touches(steps)) {
+        border.arcs = arrangement.arcs_of(steps, |vertex| shared.contains(&vertex))?;
+    }
+    Ok(())
 }

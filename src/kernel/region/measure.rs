@@ -217,8 +217,9 @@ impl PlaneLoop {
             }
             for span in arc.knots().spans() {
                 let interval = arc.knots().span_interval(span);
-                let rough = over(arc, about, interval);
-                add(&mut sum, settled(arc, about, size, interval, rough, HALVINGS));
+                let piece = SpanPiece { arc, span, about };
+                let rough = piece.over(interval);
+                add(&mut sum, piece.settled(size, interval, rough, HALVINGS));
             }
         }
         sum
@@ -257,38 +258,46 @@ impl IntegralSize {
     }
 }
 
-/// The integrals along a part of an arc by one rule.
-fn over(arc: &NurbsCurve, about: DVec3, interval: Interval) -> Moments {
-    let mut sum = Moments::default();
-    for (t, weight) in nodes(&SIXTEEN_NODES, interval) {
-        let [point, velocity] = arc.velocity_at(t);
-        let factor = weight * interval.length() * velocity.y;
-        add(&mut sum, integrands(point - about).map(|value| value * factor));
-    }
-    sum
+/// An arc within one span, and the point about which moments are.
+struct SpanPiece<'a> {
+    arc: &'a NurbsCurve,
+    span: usize,
+    about: DVec3,
 }
 
-/// The same, halved until both halves together agree with the whole.
-fn settled(
-    arc: &NurbsCurve,
-    about: DVec3,
-    size: IntegralSize,
-    interval: Interval,
-    rough: Moments,
-    n_halvings: usize,
-) -> Moments {
-    let halves = interval.halves();
-    let parts = halves.map(|half| over(arc, about, half));
-    let mut sum = Moments::default();
-    parts.iter().for_each(|&part| add(&mut sum, part));
-    let is_settled =
-        (0..6).all(|i| (sum[i] - rough[i]).abs() <= size.rounding[i] || !sum[i].is_finite());
-    if is_settled || n_halvings == 0 {
-        return sum;
+impl SpanPiece<'_> {
+    /// The integrals along a part of it by one rule.
+    fn over(&self, interval: Interval) -> Moments {
+        let mut sum = Moments::default();
+        for (t, weight) in nodes(&SIXTEEN_NODES, interval) {
+            let [point, velocity] = self.arc.velocity_on(self.span, t);
+            let factor = weight * interval.length() * velocity.y;
+            add(&mut sum, integrands(point - self.about).map(|value| value * factor));
+        }
+        sum
     }
-    let mut sum = Moments::default();
-    for (half, part) in halves.into_iter().zip(parts) {
-        add(&mut sum, settled(arc, about, size, half, part, n_halvings - 1));
+
+    /// The same, halved until both halves together agree with the whole.
+    fn settled(
+        &self,
+        size: IntegralSize,
+        interval: Interval,
+        rough: Moments,
+        n_halvings: usize,
+    ) -> Moments {
+        let halves = interval.halves();
+        let parts = halves.map(|half| self.over(half));
+        let mut sum = Moments::default();
+        parts.iter().for_each(|&part| add(&mut sum, part));
+        let is_settled =
+            (0..6).all(|i| (sum[i] - rough[i]).abs() <= size.rounding[i] || !sum[i].is_finite());
+        if is_settled || n_halvings == 0 {
+            return sum;
+        }
+        let mut sum = Moments::default();
+        for (half, part) in halves.into_iter().zip(parts) {
+            add(&mut sum, self.settled(size, half, part, n_halvings - 1));
+        }
+        sum
     }
-    sum
 }

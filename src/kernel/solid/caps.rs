@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use super::{Solid, SolidError, box_around, check_pinches};
+use super::{Solid, SolidError, areas_and_fluxes, box_around, check_pinches};
 use crate::{
     Bounds, Face, FaceError, FormError, Frame, GeomError, NurbsCurve, Region, Tolerance,
     curve::join_chain,
     mesh::welded,
-    trim::{FaceBorderEdge, rims},
+    trim::{AreaAndFlux, FaceBorderEdge, rims},
 };
 
 impl Solid {
@@ -38,22 +38,25 @@ impl Solid {
     /// # Errors
     /// Those of [`Self::capped`] but for crossings.
     pub(super) fn with_caps(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
-        Self::closed_by(faces, plane_caps(faces, tolerance)?, tolerance)
+        let caps = plane_caps(faces, tolerance)?;
+        Ok(Self::closed_by(faces, areas_and_fluxes(faces)?, caps, tolerance)?.0)
     }
 
-    /// What faces enclose together with their caps.
+    /// What faces with these integrals enclose together with their caps, and the integrals of its faces.
     ///
     /// # Errors
     /// Those of [`Self::capped`] but for rims and crossings.
     pub(super) fn closed_by(
         faces: &[Face],
+        mut known: Vec<AreaAndFlux>,
         PlaneCaps { regions, mut edges, rims, .. }: PlaneCaps,
         tolerance: Tolerance,
-    ) -> Result<Self, GeomError> {
+    ) -> Result<(Self, Vec<AreaAndFlux>), GeomError> {
         let caps = regions.iter().map(|region| Face::of_region(region, tolerance));
         let caps: Vec<Face> = caps.collect::<Result<_, GeomError>>()?;
         edges.extend(FaceBorderEdge::all(&caps, faces.len(), tolerance)?);
-        match Self::with_edges(&[faces, &caps].concat(), &edges, tolerance) {
+        known.extend(areas_and_fluxes(&caps)?);
+        match Self::with_edges(&[faces, &caps].concat(), &edges, known, tolerance) {
             // Beside a place where rims cross, a cap is on the wrong side of the walls of one of them.
             Err(GeomError::Face(FaceError::OneSided { faces })) => {
                 match crossing(&rims, tolerance)? {

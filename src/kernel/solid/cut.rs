@@ -3,12 +3,14 @@
 use glam::DVec3;
 
 use super::{
-    Solid, SolidError, box_around,
+    Solid, SolidError, areas_and_fluxes, box_around,
     caps::{PlaneCaps, plane_caps},
 };
 use crate::{
-    Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance, surface::MassIntegral,
-    tolerance::THIN_CUT, trim::amid,
+    Bounds, Face, Frame, GeomError, Region, RegionSide, Tolerance,
+    surface::MassIntegral,
+    tolerance::THIN_CUT,
+    trim::{AreaAndFlux, amid},
 };
 
 /// The faces of a solid beside a plane.
@@ -82,7 +84,8 @@ impl Solid {
             });
         }
         let has_knots = caps.has_knots;
-        let side = Self::closed_by(&faces, caps, tolerance)?;
+        let known = areas_and_fluxes(&faces)?;
+        let (side, of_side) = Self::closed_by(&faces, known.clone(), caps, tolerance)?;
         if has_knots {
             match side.topology(tolerance)?.pinch(2.0 * distance).as_deref() {
                 Some(&[point]) => return Err(SolidError::TouchesPlane { point }.into()),
@@ -95,10 +98,9 @@ impl Solid {
         let center = amid(&faces);
         let in_plane = center - plane.z() * (center - plane.origin()).dot(plane.z());
         let ((told, error), (found, its_error)) =
-            (volume(&faces, in_plane)?, volume(&side.faces, center)?);
-        let areas = side.faces.iter().map(Face::area).collect::<Result<Vec<f64>, _>>()?;
+            (volume(&known, in_plane)?, volume(&of_side, center)?);
         let rounding = error * told + its_error * found;
-        let allowed = distance * areas.iter().sum::<f64>() + rounding;
+        let allowed = distance * of_side.iter().map(AreaAndFlux::area).sum::<f64>() + rounding;
         let missing = (found - told).abs();
         if missing.is_nan() || allowed < missing {
             return Err(SolidError::UncertainCut { missing, allowed }.into());
@@ -173,11 +175,9 @@ impl Solid {
 }
 
 /// What faces that look outward enclose, by the flux of the way from a point, and by which fraction that may be wrong.
-fn volume(faces: &[Face], about: DVec3) -> Result<(f64, f64), GeomError> {
+fn volume(faces: &[AreaAndFlux], about: DVec3) -> Result<(f64, f64), GeomError> {
     let mut flux = MassIntegral::<1>::default();
-    for face in faces {
-        flux.add(face.flux_from(about)?, 1.0);
-    }
+    faces.iter().for_each(|face| flux.add(face.flux_from(about), 1.0));
     flux.amount_of_volume()
 }
 

@@ -27,7 +27,7 @@ use glam::{DAffine3, DVec3};
 use crate::{
     Bounds, Face, GeomError, MassProperties, Tolerance,
     surface::MassIntegral,
-    trim::{EnclosedShell, FaceBorderEdge, amid, enclosed_shells},
+    trim::{AreaAndFlux, EnclosedShell, FaceBorderEdge, amid, enclosed_shells},
 };
 
 pub use contents::SolidContents;
@@ -73,26 +73,27 @@ impl Solid {
     pub fn new(faces: &[Face], tolerance: Tolerance) -> Result<Self, GeomError> {
         check_pinches(faces, tolerance)?;
         let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        Self::with_edges(faces, &edges, tolerance)?.uncrossed(tolerance)
+        let known = areas_and_fluxes(faces)?;
+        Self::with_edges(faces, &edges, known, tolerance)?.0.uncrossed(tolerance)
     }
 
-    /// What faces with these edges enclose, which cross nowhere.
+    /// What faces with these edges and integrals enclose, which cross nowhere, and the integrals of its faces.
     ///
     /// # Errors
     /// Those of [`Self::new`] but for crossings.
     fn with_edges(
         faces: &[Face],
         edges: &[FaceBorderEdge],
+        mut known: Vec<AreaAndFlux>,
         tolerance: Tolerance,
-    ) -> Result<Self, GeomError> {
-        let shells = enclosed_shells(faces, edges, amid(faces), tolerance)?;
-        let areas: Vec<f64> = faces.iter().map(Face::area).collect::<Result<_, GeomError>>()?;
+    ) -> Result<(Self, Vec<AreaAndFlux>), GeomError> {
+        let shells = enclosed_shells(faces, edges, &known, tolerance)?;
         let mut turns = vec![false; faces.len()];
         for shell in &shells {
             let numbers = shell.faces.iter().map(|&(face, _)| face);
             let size = box_around(numbers.clone().map(|face| &faces[face])).diagonal();
             let distance = tolerance.distance_for(size);
-            let area: f64 = numbers.map(|face| areas[face]).sum();
+            let area: f64 = numbers.map(|face| known[face].area()).sum();
             // A sheet with two sides is as thick as twice its volume is to its area.
             let thickness = 2.0 * shell.volume.abs() / area;
             if thickness.is_nan() || thickness <= distance {
@@ -117,9 +118,13 @@ impl Solid {
         for shell in solid.voids(tolerance)? {
             for &face in &solid.shells[shell] {
                 solid.faces[face] = solid.faces[face].reversed();
+                turns[face] = !turns[face];
             }
         }
-        Ok(solid)
+        for (known, _) in known.iter_mut().zip(turns).filter(|&(_, turns)| turns) {
+            *known = known.reversed();
+        }
+        Ok((solid, known))
     }
 
     /// The faces, which look away from the inside.
@@ -188,6 +193,14 @@ impl Solid {
         let faces = self.faces.iter().map(image).collect::<Result<_, GeomError>>()?;
         Ok(Self { faces, shells: self.shells.clone(), may_cross: self.may_cross })
     }
+}
+
+/// The area and flux of each of some faces.
+///
+/// # Errors
+/// Those of a search that was ended.
+fn areas_and_fluxes(faces: &[Face]) -> Result<Vec<AreaAndFlux>, GeomError> {
+    faces.iter().map(AreaAndFlux::of).collect()
 }
 
 /// Refuses faces that narrow to a point, in which what they enclose touches itself.

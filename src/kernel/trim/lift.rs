@@ -32,15 +32,19 @@ struct LiftedArc {
 impl CurveFunction for LiftedArc {
     fn derivatives_at(&self, t: f64, order: usize) -> Result<Vec<DVec3>, FunctionFailure> {
         let derivatives = self.arc.derivatives_at(t, order);
+        let [domain_u, domain_v] = [self.surface.domain_u(), self.surface.domain_v()];
+        let inside = |value: f64, domain: Interval| value.clamp(domain.start(), domain.end());
+        let at = [inside(derivatives[0].x, domain_u), inside(derivatives[0].y, domain_v)];
+        if order == 0 {
+            // Series of no order are the point; what is no number they refuse.
+            let point = self.surface.point_within(self.cell, at);
+            if point.is_finite() {
+                return Ok(vec![point]);
+            }
+        }
         let lift = || -> Result<[Jet; 3], GeomError> {
             let [u, v, _] = jet::along(&derivatives, &Jet::variable(t, order))?;
-            let inside = |jet: Jet, domain: Interval| {
-                let value = jet.value().clamp(domain.start(), domain.end());
-                jet.with_value(value)
-            };
-            let u = inside(u, self.surface.domain_u());
-            let v = inside(v, self.surface.domain_v());
-            let at = [u.value(), v.value()];
+            let [u, v] = [u.with_value(at[0]), v.with_value(at[1])];
             jet::across(&self.surface.derivatives_within(self.cell, at, order), &u, &v)
         };
         let point = lift().map_err(FunctionFailure::new)?;

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use glam::DVec3;
 
 use super::{
-    Face, FaceError,
+    AreaAndFlux, Face, FaceError,
     border_edge::{FaceBorderEdge, FacePair, N_PLACES, NeighbourSearch},
     measure::{FLUX_BITS, amid, arm, flux},
 };
@@ -61,7 +61,8 @@ impl Face {
         tolerance: Tolerance,
     ) -> Result<MassProperties, GeomError> {
         let (about, edges) = (amid(faces), FaceBorderEdge::all(faces, 0, tolerance)?);
-        let shells = shells_with(faces, &edges, tolerance, |face| face.flux_moments(about))?;
+        let moments = |face: usize| faces[face].flux_moments(about);
+        let shells = shells_with(faces, &edges, tolerance, moments, area_of(faces))?;
         summed(&shells).volume(about)
     }
 
@@ -70,8 +71,9 @@ impl Face {
     /// # Errors
     /// Those of [`Self::enclosed_mass`].
     pub fn enclosed_volume(faces: &[Self], tolerance: Tolerance) -> Result<(f64, f64), GeomError> {
-        let edges = FaceBorderEdge::all(faces, 0, tolerance)?;
-        let shells = enclosed_shells(faces, &edges, amid(faces), tolerance)?;
+        let (about, edges) = (amid(faces), FaceBorderEdge::all(faces, 0, tolerance)?);
+        let flux = |face: usize| faces[face].flux_from(about);
+        let shells = shells_with(faces, &edges, tolerance, flux, area_of(faces))?;
         summed(&shells).amount_of_volume()
     }
 
@@ -115,33 +117,41 @@ impl Face {
     }
 }
 
-/// The shells that faces with these edges make, with the flux of the way from a point.
+/// The shells that faces with these edges make, each with its area and flux: that of the way from a point.
 ///
 /// # Errors
 /// Those of [`Face::enclosed_mass`].
 pub(crate) fn enclosed_shells(
     faces: &[Face],
     edges: &[FaceBorderEdge],
-    about: DVec3,
+    known: &[AreaAndFlux],
     tolerance: Tolerance,
 ) -> Result<Vec<EnclosedShell>, GeomError> {
-    shells_with(faces, edges, tolerance, |face| face.flux_from(about))
+    let about = amid(faces);
+    let flux = |face: usize| Ok(known[face].flux_from(about));
+    shells_with(faces, edges, tolerance, flux, |face| Ok(known[face].area()))
 }
 
-/// The shells that faces make, with the sums of what is integrated over each face.
+fn area_of(faces: &[Face]) -> impl Fn(usize) -> Result<f64, GeomError> {
+    |face| faces[face].area()
+}
+
+/// The shells that faces make, with the sums of what is integrated over each face, and the area of each where it is
+/// asked for.
 fn shells_with<const N: usize>(
     faces: &[Face],
     edges: &[FaceBorderEdge],
     tolerance: Tolerance,
-    integral: impl Fn(&Face) -> Result<IntegralValues<N>, GeomError>,
+    integral: impl Fn(usize) -> Result<IntegralValues<N>, GeomError>,
+    area: impl Fn(usize) -> Result<f64, GeomError>,
 ) -> Result<Vec<EnclosedShell<N>>, GeomError> {
     let (mut found, distance) = (Vec::new(), distance_for(faces, tolerance));
     let pairs = pairs(edges, distance)?;
-    check_widths(faces, edges, &pairs, distance)?;
+    check_widths(edges, &pairs, distance, area)?;
     for faces_of_shell in hanging_together(faces.len(), &pairs)? {
         let mut moments = MassIntegral::default();
         for &(face, sign) in &faces_of_shell {
-            moments.add(integral(&faces[face])?, sign);
+            moments.add(integral(face)?, sign);
         }
         let volume = moments.flux() / 3.0;
         found.push(EnclosedShell { faces: faces_of_shell, volume, moments });
@@ -211,17 +221,17 @@ fn pairs(edges: &[FaceBorderEdge], distance: f64) -> Result<Vec<FacePair>, GeomE
 /// # Errors
 /// [`FaceError::Narrow`].
 fn check_widths(
-    faces: &[Face],
     edges: &[FaceBorderEdge],
     pairs: &[FacePair],
     distance: f64,
+    area: impl Fn(usize) -> Result<f64, GeomError>,
 ) -> Result<(), GeomError> {
     let to_itself = pairs.iter().filter(|pair| pair.faces[0] == pair.faces[1]);
     let own: BTreeSet<usize> = to_itself.map(|pair| pair.faces[0]).collect();
     for face in own {
         let own_edges = || edges.iter().filter(|edge| edge.face == face);
         let along: f64 = own_edges().map(|edge| edge.curve.length(edge.curve.domain())).sum();
-        let width = 2.0 * faces[face].area()? / along;
+        let width = 2.0 * area(face)? / along;
         if width <= 2.0 * distance {
             let point = own_edges().next().map_or(DVec3::ZERO, |edge| edge.curve.start());
             return Err(FaceError::Narrow { face, width, tolerance: distance, point }.into());

@@ -57,7 +57,7 @@ impl NurbsCurve {
     }
 
     /// Point and first derivative at `t` of the piece of one span, without allocation.
-    pub(in crate::curve) fn velocity_on(&self, span: usize, t: f64) -> [DVec3; 2] {
+    pub(crate) fn velocity_on(&self, span: usize, t: f64) -> [DVec3; 2] {
         self.knots.with_slopes(span, t, |values, slopes| {
             velocity(acting(&self.control_points, span, values), values, slopes)
         })

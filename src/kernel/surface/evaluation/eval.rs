@@ -51,13 +51,36 @@ impl NurbsSurface {
         [u, v]: [f64; 2],
         order: usize,
     ) -> Grid<DVec3> {
+        let spans = self.spans_within(part, [u, v]);
+        self.in_space(&self.homogeneous_derivatives_on(spans, [u, v], order))
+    }
+
+    /// The first of them, the point, to the last bit; without allocation up to degree 7.
+    pub(crate) fn point_within(&self, part: [Interval; 2], [u, v]: [f64; 2]) -> DVec3 {
+        let [span_u, span_v] = self.spans_within(part, [u, v]);
+        let sum = self.knots_u.with_derivative_rows(span_u, u, |[basis_u]| {
+            self.knots_v.with_derivative_rows(span_v, v, |[basis_v]| {
+                let mut sum = DVec4::ZERO;
+                let first = span_u + 1 - basis_u.len();
+                for (i, &n_u) in basis_u.iter().enumerate() {
+                    let row = acting(self.control_points.row(first + i), span_v, basis_v);
+                    for (&point, &n_v) in row.iter().zip(basis_v) {
+                        sum += point * (n_u * n_v);
+                    }
+                }
+                sum
+            })
+        });
+        sum.truncate() / sum.w
+    }
+
+    /// The spans of parameters that count as within a part of the domain that ends at knots.
+    fn spans_within(&self, part: [Interval; 2], [u, v]: [f64; 2]) -> [usize; 2] {
         let span = |knots: &KnotVector, part: Interval, t: f64| match part.end() <= t {
             true => knots.span_beside(part.end(), Side::Left),
             false => knots.span_at(t.max(part.start())),
         };
-        let spans = [span(&self.knots_u, part[0], u), span(&self.knots_v, part[1], v)];
-        let derivatives = self.homogeneous_derivatives_on(spans, [u, v], order);
-        self.in_space(&derivatives)
+        [span(&self.knots_u, part[0], u), span(&self.knots_v, part[1], v)]
     }
 
     fn in_space(&self, derivatives: &Grid<DVec4>) -> Grid<DVec3> {
@@ -96,12 +119,30 @@ impl NurbsSurface {
         [point, tangent(along_u), tangent(along_v)]
     }
 
-    /// S, Su, Sv, Suu, Suv, Svv; beyond the domain those of the last piece.
+    /// S, Su, Sv, Suu, Suv, Svv, without allocation up to degree 7; beyond the domain those of the last piece.
     pub(in crate::surface) fn second_order_at(&self, u: f64, v: f64) -> [DVec3; 6] {
-        let spans = [self.knots_u.span_at(u), self.knots_v.span_at(v)];
-        let d = self.homogeneous_derivatives_on(spans, [u, v], 2);
-        let all = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
-        homogeneous::second_order(all.map(|(k, l)| d.get(k, l)))
+        let (span_u, span_v) = (self.knots_u.span_at(u), self.knots_v.span_at(v));
+        let sums = self.knots_u.with_derivative_rows(span_u, u, |basis_u: [&[f64]; 3]| {
+            self.knots_v.with_derivative_rows(span_v, v, |basis_v: [&[f64]; 3]| {
+                let mut sums = [DVec4::ZERO; 6];
+                let first = span_u + 1 - basis_u[0].len();
+                for i in 0..basis_u[0].len() {
+                    let [n_u, dn_u, ddn_u] = basis_u.map(|row| row[i]);
+                    let row = acting(self.control_points.row(first + i), span_v, basis_v[0]);
+                    for (j, &point) in row.iter().enumerate() {
+                        let [n_v, dn_v, ddn_v] = basis_v.map(|row| row[j]);
+                        sums[0] += point * (n_u * n_v);
+                        sums[1] += point * (dn_u * n_v);
+                        sums[2] += point * (n_u * dn_v);
+                        sums[3] += point * (ddn_u * n_v);
+                        sums[4] += point * (dn_u * dn_v);
+                        sums[5] += point * (n_u * ddn_v);
+                    }
+                }
+                sums
+            })
+        });
+        homogeneous::second_order(sums)
     }
 
     fn homogeneous_derivatives(&self, u: f64, v: f64, order: usize) -> Grid<DVec4> {
