@@ -157,3 +157,34 @@ fn exact_fits_leave_nothing() {
         }
     }
 }
+
+#[test]
+fn polynomials_fitted_without_derivatives_are_right_or_refused() {
+    let mut n_told = 0;
+    for (idx, fitted) in FITTED.iter().enumerate() {
+        for degree in 1..=4 {
+            let rows = rows(fitted, &[1.0; 5][..=degree]);
+            for (counted, least) in [
+                (Counted::Sum, fitted.sums[degree - 1]),
+                (Counted::Greatest, fitted.greatest[degree - 1]),
+            ] {
+                for start in [0.0, 1.0, -7.0] {
+                    let start = vec![start; degree + 1];
+                    let value = |x: &[f64], _| {
+                        Ok::<_, ()>(Answers::from(vec![value_and_slopes(&rows, x, counted).0]))
+                    };
+                    let bounds = vec![FREE; start.len()];
+                    let problem = LeastProblem { start: &start, bounds: &bounds, n_equations: 0 };
+                    let found = problem.find(value).expect("no failure");
+                    let is_told = found.end == LeastEnd::Settled;
+                    let case = format!("{idx} by degree {degree}, {counted:?}, {start:?}");
+                    let fall = value_and_slopes(&rows, &start, counted).0 - least;
+                    let off = found.values[0] - least;
+                    assert!(!is_told || off < 1e-6 + 1e-10 * fall, "{case}: {found:?}");
+                    n_told += usize::from(is_told);
+                }
+            }
+        }
+    }
+    assert!(30 <= n_told, "{n_told}");
+}

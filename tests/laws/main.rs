@@ -34,6 +34,7 @@ mod hostile;
 mod jet;
 mod joints;
 mod knots;
+mod least_bent;
 mod least_kinks;
 mod least_values;
 mod level;

@@ -121,6 +121,9 @@ pub(crate) const STALLED_STEPS: usize = 100;
 /// Times that one of these steps is shortened.
 pub(crate) const CONSTRAINED_HALVINGS: usize = 40;
 
+/// Times that broken conditions count ten times more where no step leads lower.
+pub(crate) const HEAVIER_CONDITIONS: usize = 6;
+
 /// Times that a place beside conditions is led back onto them, each with one question.
 pub(crate) const CONDITION_CORRECTIONS: usize = 4;
 
@@ -204,6 +207,23 @@ pub(crate) const KINK_LOOKS: usize = 20;
 
 /// Unknowns of such a search: each of its steps takes work with their third power and more.
 pub(crate) const KINK_UNKNOWNS: usize = 60;
+
+/// Planes for each unknown of which such a search keeps the last.
+pub(crate) const KINK_PLANES: usize = 3;
+
+/// Times that such a search gives planes up because they contradict one another by rounding.
+pub(crate) const KINK_GIVEN_UP: usize = 3;
+
+/// Planes for each unknown by which a place beside kinks is shown to be one of the least, and how many there are in all of
+/// more than [`KINK_UNKNOWNS`]: enough to tell that there is no kink.
+pub(crate) const KINK_HULL_PLANES: usize = 4;
+pub(crate) const KINK_HULL_FEW: usize = 8;
+
+/// Halvings of a way that does not lead as low as planes promised, and doublings of one that does.
+pub(crate) const KINK_HULL_HALVINGS: usize = 30;
+
+/// Steps back to the kinks that a place beside a saddle between them takes.
+pub(crate) const KINK_HULL_RETURNS: usize = 3;
 
 /// Last steps of a descent that tell whether its slopes become less.
 pub(crate) const SETTLING_STEPS: usize = 8;

@@ -1,6 +1,8 @@
 //! What several functions of several unknowns answer, with derivatives or without.
 
-use crate::tolerance::{DIFFERENCE_RELATIVE, KINK_SIDE_RELATIVE};
+use crate::tolerance::{
+    DIFFERENCE_RELATIVE, KINK_ROUNDINGS, KINK_SIDE_RELATIVE, KINK_UNLIKE_RELATIVE, LAST_BIT,
+};
 
 /// What functions are asked for at a place.
 ///
@@ -55,6 +57,9 @@ pub(super) struct CountedFunctions<F> {
     pub(super) has_differences: bool,
     /// The part of each unknown's size over which they are.
     pub(super) reach: f64,
+    /// By how much the slopes differ on both sides of where the last differences were taken, of each function by each
+    /// unknown: nothing where that is rounding.
+    pub(super) jumps: Vec<Vec<f64>>,
     /// Whether the functions had none where they were asked for some beside a place without.
     is_without: bool,
 }
@@ -62,7 +67,14 @@ pub(super) struct CountedFunctions<F> {
 impl<F> CountedFunctions<F> {
     pub(super) fn new(functions: F) -> Self {
         let reach = DIFFERENCE_RELATIVE;
-        Self { functions, n_evaluations: 0, has_differences: false, reach, is_without: false }
+        Self {
+            functions,
+            n_evaluations: 0,
+            has_differences: false,
+            reach,
+            jumps: Vec::new(),
+            is_without: false,
+        }
     }
 
     /// The values at a place.
@@ -99,6 +111,7 @@ impl<F> CountedFunctions<F> {
             }
         }
         self.has_differences = true;
+        self.jumps = vec![vec![0.0; place.len()]; own.values.len()];
         let size = place.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let size = if 0.0 < size { size } else { 1.0 };
         let mut beside = place.to_vec();
@@ -113,7 +126,11 @@ impl<F> CountedFunctions<F> {
             let behind = self.values(&beside)?;
             beside[k] = x;
             let sides = behind.iter().zip(&before).zip(&own.values);
-            for (gradient, ((&behind, &before), &here)) in gradients.iter_mut().zip(sides) {
+            let told = gradients.iter_mut().zip(&mut self.jumps);
+            for ((gradient, jumps), ((&behind, &before), &here)) in told.zip(sides) {
+                let width = high - low;
+                let jump = jump([here - before, behind - here], here);
+                jumps[k] = if 0.0 < width { 2.0 * jump / width } else { 0.0 };
                 // On one side alone where the other has no value.
                 let [low, before] = if before.is_finite() { [low, before] } else { [x, here] };
                 let [high, behind] = if behind.is_finite() { [high, behind] } else { [x, here] };
@@ -122,6 +139,14 @@ impl<F> CountedFunctions<F> {
         }
         Ok(gradients)
     }
+}
+
+/// By how much a function changes otherwise behind a place than before; nothing where that is rounding, or little beside
+/// either.
+fn jump([before, behind]: [f64; 2], here: f64) -> f64 {
+    let (rounding, jump) = (KINK_ROUNDINGS * LAST_BIT * here.abs(), (behind - before).abs());
+    let little = KINK_UNLIKE_RELATIVE * before.abs().max(behind.abs());
+    if little + rounding < jump { jump } else { 0.0 }
 }
 
 /// A place beside another one within bounds, by a part of each unknown's size, and of each by another one: so what unknowns

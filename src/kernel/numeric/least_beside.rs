@@ -7,7 +7,6 @@
 
 use super::{
     answers::{Answers, Wanted},
-    least_kinks::KinkEnd,
     least_model::{HoldingCondition, Terms},
     least_newton::even_out,
     least_search::{LeastSearch, clamped},
@@ -51,12 +50,11 @@ where
     /// Whether a place beside is better, such as beside a saddle or an inflection; the search goes there.
     pub(super) fn leaves_for_better(&mut self) -> Result<bool, E> {
         self.penalties.iter_mut().for_each(|penalty| *penalty = 2.0 * *penalty + 1.0);
-        let kinks = self.settle_between_kinks()?;
-        self.is_unproven = kinks == KinkEnd::Unknown;
+        let is_kinked = self.settle_between_kinks()?;
         let bending = self.bending()?;
         if let Some(Bending { axes, stretch, .. }) = &bending
             && self.is_free()
-            && self.leaves_by_newton(axes, stretch, kinks)?
+            && self.leaves_by_newton(axes, stretch, is_kinked)?
         {
             return Ok(true);
         }
@@ -65,10 +63,16 @@ where
         {
             return Ok(true);
         }
-        match bending {
-            Some(bending) => self.leaves_along(&bending),
-            None => Ok(false),
+        if let Some(bending) = bending
+            && self.leaves_along(&bending)?
+        {
+            return Ok(true);
         }
+        self.is_unproven = false;
+        if is_kinked || self.has_kinks_beside()? {
+            return self.leaves_by_hull();
+        }
+        Ok(false)
     }
 
     /// Looks at both sides along each unknown, and keeps what is there; those of which the better one is best.

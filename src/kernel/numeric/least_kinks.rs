@@ -13,10 +13,11 @@ use super::{
     quadratic_program::dot,
 };
 use crate::{
-    ceiling::{KINK_LOOKS, KINK_STEPS, KINK_UNKNOWNS, SETTLING_STEPS},
+    ceiling::{KINK_GIVEN_UP, KINK_LOOKS, KINK_PLANES, KINK_STEPS, KINK_UNKNOWNS, SETTLING_STEPS},
     tolerance::{
-        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE, KINK_PROMISE_RELATIVE,
-        KINK_SLOPE_RELATIVE, LAST_BIT, LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
+        DIFFERENCE_RELATIVE, KINK_BEND_MOST, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE,
+        KINK_FARTHER, KINK_FARTHEST_RELATIVE, KINK_PROMISE_RELATIVE, KINK_ROUNDINGS,
+        KINK_SHARE_MOST, KINK_SLOPE_RELATIVE, LAST_BIT, LEAST_PROBE_RELATIVE, PLANE_RELATIVE,
     },
 };
 
@@ -24,32 +25,8 @@ use crate::{
 const KEPT: f64 = 0.1;
 const WELL_KEPT: f64 = 0.5;
 
-/// By how much the curvature is lessened where ways are made longer, and how many times more or less it is at most.
+/// By how much the curvature is lessened where ways are made longer.
 const LONGER: f64 = 0.2;
-const MOST_SHARE: f64 = 1e16;
-
-/// Last bits of the unknowns by which a value may be wrong.
-const ROUNDINGS: f64 = 16.0;
-
-/// By how many times what it changes over a way a slope does at a kink, at least, in the unknowns' sizes.
-const MOST_BEND: f64 = 100.0;
-
-/// Planes for each unknown that are kept.
-const PLANES: usize = 3;
-
-/// Times that planes are given up because they contradict one another by rounding.
-const MOST_GIVEN_UP: usize = 3;
-
-/// What a place beside kinks is.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum KinkEnd {
-    /// Beside none.
-    Smooth,
-    /// One below which nothing is promised.
-    Least,
-    /// One below which more is promised than was found.
-    Unknown,
-}
 
 /// Planes of a function near a place.
 struct Planes {
@@ -78,23 +55,39 @@ where
         self.steepness.last().is_some_and(|end| least <= *end)
     }
 
-    /// Goes to the least value between the kinks beside the place.
-    pub(super) fn settle_between_kinks(&mut self) -> Result<KinkEnd, E> {
+    /// Whether the place at which the search settled is beside kinks: its slopes became no less, or differences over so much
+    /// that they are of both sides are others than those of one side.
+    pub(super) fn has_kinks_beside(&mut self) -> Result<bool, E> {
+        if !self.asked.has_differences {
+            return Ok(self.is_steep());
+        }
+        let (place, values) = (self.place.clone(), self.values.clone());
+        self.asked.reach = KINK_DIFFERENCE_RELATIVE;
+        let beside = self.slopes_beside(&place, &values);
+        self.asked.reach = DIFFERENCE_RELATIVE;
+        let least = KINK_SLOPE_RELATIVE * self.steepest();
+        Ok(beside?.0.iter().zip(&self.slopes).any(|(one, both)| {
+            least.max(KINK_SLOPE_RELATIVE * magnitude(one)) < distance(one, both)
+        }))
+    }
+
+    /// Goes to the least value between the kinks beside the place; whether there are some.
+    pub(super) fn settle_between_kinks(&mut self) -> Result<bool, E> {
         if !self.is_steep() || KINK_UNKNOWNS < self.place.len() {
-            return Ok(KinkEnd::Smooth);
+            return Ok(false);
         }
         let before = (self.place.clone(), self.values.clone(), self.slopes.clone());
         self.asked.reach = KINK_DIFFERENCE_RELATIVE;
-        let end = self.follow_planes();
+        let is_kinked = self.follow_planes();
         self.asked.reach = DIFFERENCE_RELATIVE;
         // Differences over so little are too rough where there is no kink.
-        if self.asked.has_differences && matches!(end, Ok(KinkEnd::Smooth)) {
+        if self.asked.has_differences && matches!(is_kinked, Ok(false)) {
             (self.place, self.values, self.slopes) = before;
         }
-        end
+        is_kinked
     }
 
-    fn follow_planes(&mut self) -> Result<KinkEnd, E> {
+    fn follow_planes(&mut self) -> Result<bool, E> {
         let n = self.place.len();
         let model = self.learned.take().unwrap_or_else(|| CurvatureModel::new(n)).evened();
         let (place, values) = (self.place.clone(), self.values.clone());
@@ -102,9 +95,9 @@ where
         let first = Plane { gradient: slopes[0].clone(), gap: below.abs() };
         self.slopes = slopes;
         let mut planes = Planes { known: vec![first], share: 1.0, floor: 0.0, are_kinked: false };
-        let (mut n_given_up, mut promised) = (0, 0.0);
+        let mut n_given_up = 0;
         for step in 0..KINK_STEPS {
-            if MOST_SHARE < planes.share || step == KINK_LOOKS && !planes.are_kinked {
+            if KINK_SHARE_MOST < planes.share || step == KINK_LOOKS && !planes.are_kinked {
                 break;
             }
             let rounding = self.rounding(&planes.known);
@@ -115,9 +108,10 @@ where
                 limits: &self.limits(&self.place),
                 n_equations: self.problem.n_equations,
             };
-            let Some((way, fall)) = model.step_below(&terms, &planes.known, planes.share) else {
+            let Some((way, fall)) = model.step_below(&terms, &planes.known, &[], planes.share)
+            else {
                 n_given_up += 1;
-                if MOST_GIVEN_UP < n_given_up {
+                if KINK_GIVEN_UP < n_given_up {
                     break;
                 }
                 planes.known.truncate(1);
@@ -125,19 +119,18 @@ where
                 continue;
             };
             let broken = self.problem.broken(terms.values).zip(&self.penalties);
-            promised = fall + broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
+            let promised = fall + broken.map(|(broken, penalty)| broken * penalty).sum::<f64>();
             let (here, reach) = (self.merit(&self.values), magnitude(&way));
             let is_nothing = promised <= planes.floor.max(rounding);
             if !is_nothing && self.is_lower(here - promised, reach) {
                 self.look_along(&way, promised, rounding, &mut planes)?;
-            } else if reach < LEAST_PROBE_RELATIVE && 1.0 < MOST_SHARE * planes.share {
+            } else if reach < LEAST_PROBE_RELATIVE && 1.0 < KINK_SHARE_MOST * planes.share {
                 planes.share *= LONGER;
             } else {
-                return Ok(if planes.are_kinked { KinkEnd::Least } else { KinkEnd::Smooth });
+                break;
             }
         }
-        let is_promising = self.little() < promised;
-        Ok(if planes.are_kinked && is_promising { KinkEnd::Unknown } else { KinkEnd::Smooth })
+        Ok(planes.are_kinked)
     }
 
     /// Asks where the planes promise to be lower, and goes there if it is; they learn of one more.
@@ -160,7 +153,7 @@ where
         let gradient = slopes[0].clone();
         let off = distance(&gradient, &planes.known[0].gradient);
         let least = KINK_SLOPE_RELATIVE * self.steepest();
-        planes.are_kinked |= least.max(MOST_BEND * magnitude(&way)) < off;
+        planes.are_kinked |= least.max(KINK_BEND_MOST * magnitude(&way)) < off;
         if KEPT < kept {
             for plane in &mut planes.known {
                 plane.gap = (plane.gap - fall - dot(&plane.gradient, &way)).abs();
@@ -177,7 +170,7 @@ where
             let is_hidden = promised <= self.little() || fall == 0.0;
             planes.learn(Plane { gradient, gap: gap.max(rounding) }, promised, is_hidden);
         }
-        if PLANES * (self.place.len() + 2) < planes.known.len() {
+        if KINK_PLANES * (self.place.len() + 2) < planes.known.len() {
             let gaps = planes.known.iter().map(|plane| plane.gap).enumerate();
             let lowest = gaps.skip(1).max_by(|a, b| a.1.total_cmp(&b.1));
             lowest.map(|(k, _)| planes.known.remove(k));
@@ -186,33 +179,56 @@ where
     }
 
     /// The gradients at a place, and by how much the plane is below the value there. Differences are taken a little beside:
-    /// at a kink itself, to which steps lead, they are those of no side.
-    fn slopes_beside(&mut self, place: &[f64], values: &[f64]) -> Result<(Vec<Vec<f64>>, f64), E> {
+    /// at a kink itself, to which steps lead, they are those of no side; and farther beside as long as they are across one.
+    pub(super) fn slopes_beside(
+        &mut self,
+        place: &[f64],
+        values: &[f64],
+    ) -> Result<(Vec<Vec<f64>>, f64), E> {
         if !self.asked.has_differences {
             return Ok((self.gradients_at(place)?, 0.0));
         }
-        let turn = self.asked.n_evaluations;
-        let beside = beside(place, self.problem.bounds, KINK_BESIDE_RELATIVE, turn);
-        let there = self.asked.values(&beside)?;
-        let slopes = self.gradients_at(&beside)?;
-        let back = dot(&slopes[0], &self.way_between(place, &beside));
+        let mut far = KINK_BESIDE_RELATIVE;
+        let (side, there, slopes) = loop {
+            let turn = self.asked.n_evaluations;
+            let side = beside(place, self.problem.bounds, far, turn);
+            let there = self.asked.values(&side)?;
+            let slopes = self.gradients_at(&side)?;
+            far *= KINK_FARTHER;
+            if !self.is_across(&slopes) || KINK_FARTHEST_RELATIVE < far {
+                break (side, there, slopes);
+            }
+        };
+        let back = dot(&slopes[0], &self.way_between(place, &side));
         Ok((slopes, self.weights[0] * (values[0] - there[0]) + back))
     }
 
+    /// Whether the last differences, which these slopes are, were taken across a kink.
+    pub(super) fn is_across(&self, slopes: &[Vec<f64>]) -> bool {
+        if !self.asked.has_differences {
+            return false;
+        }
+        let bend = KINK_BEND_MOST * KINK_DIFFERENCE_RELATIVE;
+        let jumps = self.scaled(self.asked.jumps.clone());
+        jumps.iter().zip(slopes).any(|(jumps, slopes)| {
+            bend.max(KINK_SLOPE_RELATIVE * magnitude(slopes)) < magnitude(jumps)
+        })
+    }
+
     /// A fall that counts for nothing beside the value and the fall so far.
-    fn little(&self) -> f64 {
+    pub(super) fn little(&self) -> f64 {
         let here = self.merit(&self.values);
         KINK_PROMISE_RELATIVE * here.abs().max(self.start_merit - here)
     }
 
     /// What the value may be wrong by where the unknowns are by their last bits.
-    fn rounding(&self, planes: &[Plane]) -> f64 {
+    pub(super) fn rounding(&self, planes: &[Plane]) -> f64 {
         let sizes: Vec<f64> =
             self.place.iter().zip(&self.units).map(|(x, u)| (x / u).abs()).collect();
         let sum = |plane: &Plane| -> f64 {
             plane.gradient.iter().zip(&sizes).map(|(slope, size)| slope.abs() * size).sum()
         };
-        ROUNDINGS * LAST_BIT * planes.iter().map(sum).fold(0.0, f64::max)
+        KINK_ROUNDINGS * LAST_BIT * planes.iter().map(sum).fold(0.0, f64::max)
     }
 }
 

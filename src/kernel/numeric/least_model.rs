@@ -194,17 +194,19 @@ impl CurvatureModel {
         Some(ModelStep { way: place, multipliers, kept: 1.0 - slack, is_relaxed: true })
     }
 
-    /// The step to where the greatest of some planes, with a share of the curvature, is least under the linear conditions, and
-    /// by how much it is lower there; none where rounding lets them contradict one another.
+    /// The step to where the greatest of some planes, with a share of the curvature, is least under the linear conditions and
+    /// more of them, and by how much it is lower there; none where rounding lets them contradict one another.
     pub(super) fn step_below(
         &self,
         terms: &Terms<'_>,
         planes: &[Plane],
+        more: &[LinearCondition],
         share: f64,
     ) -> Option<(Vec<f64>, f64)> {
         let mut matrix = self.matrix.clone();
         matrix.iter_mut().flatten().for_each(|part| *part *= share);
-        let given = terms.conditions(terms.values);
+        let mut given = terms.conditions(terms.values);
+        given.extend(more.iter().cloned());
         let mut first = 0;
         for _ in 0..=2 * planes.len() {
             // Where one of them is the greatest; as a condition on itself it says nothing.

@@ -6,7 +6,6 @@
 
 use super::{
     answers::{Answers, Wanted},
-    least_kinks::KinkEnd,
     least_model::{CurvatureModel, Terms, magnitude},
     least_search::LeastSearch,
     quadratic_program::dot,
@@ -29,7 +28,7 @@ where
         &mut self,
         axes: &[(f64, Vec<f64>)],
         stretch: &[f64],
-        kinks: KinkEnd,
+        is_kinked: bool,
     ) -> Result<bool, E> {
         let n = self.place.len();
         let most = axes.iter().map(|(bend, _)| bend.abs()).fold(0.0, f64::max);
@@ -66,7 +65,7 @@ where
         let lower = lower.filter(|lower| self.is_lower(self.merit(&lower.values), reach));
         let Some(lower) = lower else { return Ok(false) };
         let missed = self.merit(&self.values) - self.merit(&lower.values) + 0.5 * slope;
-        if kinks != KinkEnd::Smooth && KEPT_SLACK * -0.5 * slope <= missed.abs() {
+        if is_kinked && KEPT_SLACK * -0.5 * slope <= missed.abs() {
             return Ok(false);
         }
         self.leave_for((lower.place, lower.values), reach);

@@ -10,7 +10,7 @@ use super::{
     least_trail::LeastTrail,
 };
 use crate::{
-    ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_STEPS, STALLED_STEPS},
+    ceiling::{CONDITION_CORRECTIONS, CONSTRAINED_STEPS, HEAVIER_CONDITIONS, STALLED_STEPS},
     tolerance::{
         CONDITION_RELATIVE, CONTRADICTION_RELATIVE, LAST_BIT, LEAST_FALL_REACH,
         LEAST_FALL_RELATIVE, LEAST_FAR, LEAST_LOWER_RELATIVE, LEAST_STALL_RELATIVE,
@@ -129,7 +129,7 @@ where
     }
 
     /// Gradients with the weights of their functions, by the unknowns in their units.
-    fn scaled(&self, mut gradients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
+    pub(super) fn scaled(&self, mut gradients: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         for (gradient, weight) in gradients.iter_mut().zip(&self.weights) {
             for (slope, unit) in gradient.iter_mut().zip(&self.units) {
                 *slope *= unit * weight;
@@ -194,6 +194,7 @@ where
     ) -> Result<LeastEnd, E> {
         let n = self.place.len();
         let mut merit_before = f64::INFINITY;
+        let mut n_heavier = 0;
         for n_steps in 0..CONSTRAINED_STEPS {
             // Among the roundings of differences it may go down for ever.
             if n_steps % STALLED_STEPS == 0 {
@@ -229,6 +230,13 @@ where
                 self.shortened(&terms, model, &step.way, slope)?
             else {
                 if model.is_fresh() {
+                    // Beside kinks a broken condition may have to count for more than slopes tell.
+                    if n_heavier < HEAVIER_CONDITIONS && CONTRADICTION_RELATIVE < self.most_broken()
+                    {
+                        n_heavier += 1;
+                        self.penalties.iter_mut().for_each(|each| *each = 10.0 * each.max(1.0));
+                        continue;
+                    }
                     return self.ended(gradients);
                 }
                 self.learned = Some(std::mem::replace(model, CurvatureModel::new(n)));

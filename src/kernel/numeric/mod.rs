@@ -27,6 +27,7 @@ pub(crate) mod least;
 mod least_beside;
 mod least_beyond;
 mod least_floor;
+mod least_hull;
 mod least_kinks;
 mod least_line;
 mod least_model;

@@ -389,6 +389,48 @@ pub(crate) const KINK_SIDE_RELATIVE: f64 = 1e-11;
 /// Larger misses the sides that meet at a place; smaller takes differences across its kinks.
 pub(crate) const KINK_BESIDE_RELATIVE: f64 = 1e-7;
 
+/// By how many times farther beside such differences are taken where they are across a kink, and how far at most, as a
+/// fraction of the unknowns.
+///
+/// A larger step misses the sides that meet at a place, as farther does; a smaller one asks more often, and nearer finds no
+/// side where many meet.
+pub(crate) const KINK_FARTHER: f64 = 4.0;
+pub(crate) const KINK_FARTHEST_RELATIVE: f64 = 1e-4;
+
+/// Near by a place beside kinks is within these fractions of the unknowns' sizes, one after the other.
+///
+/// A larger first one finds a fall sooner where kinks are straight; without the smaller ones a kink that is bent passes for
+/// what meets there on all sides.
+pub(crate) const KINK_HULL_REACHES: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
+
+/// A fall that is promised near by counts as this share of what the steepest slope there promises, by gradients and by
+/// differences.
+///
+/// Larger takes for least values what lies on gentle slopes along a steep kink; smaller refuses values by rounding.
+pub(crate) const KINK_HULL_RELATIVE: f64 = 1e-9;
+pub(crate) const KINK_HULL_DIFFERENCE_RELATIVE: f64 = 1e-7;
+
+/// Changes of a function over the same way before and behind a place that differ by this share of themselves are those of
+/// two sides of a kink.
+///
+/// Larger takes differences across kinks for slopes; smaller takes a bend for a kink.
+pub(crate) const KINK_UNLIKE_RELATIVE: f64 = 1e-2;
+
+/// Last bits by which a value beside kinks may be wrong.
+///
+/// Larger hides falls; smaller follows rounding.
+pub(crate) const KINK_ROUNDINGS: f64 = 16.0;
+
+/// How many times as much as it changes over a way, in the unknowns' sizes, a slope does at a kink at least.
+///
+/// Larger takes kinks for bends; smaller takes bends for kinks.
+pub(crate) const KINK_BEND_MOST: f64 = 100.0;
+
+/// How many times less or more than it was learned the curvature counts between kinks at most.
+///
+/// Larger follows what rounding promises; smaller ends before ways are long enough.
+pub(crate) const KINK_SHARE_MOST: f64 = 1e16;
+
 /// How many times as much as it does least a function bends at most, as far as it has no kinks.
 ///
 /// Larger takes kinks for bends, so that steps beside them are short; smaller takes narrow valleys for kinks.

@@ -31,10 +31,13 @@ op! {
     /// that the function only tends to, as far as numbers tell, is refused. What does not settle in 5000 steps is refused. Nocedal &
     /// Wright, *Numerical Optimization*, ch. 18, §12.5.
     ///
-    /// Functions may have kinks, as sums of `abs` and the greatest of several have, which fit the most points or tolerate the
-    /// least: of up to 60 unknowns the planes that meet beside the answer tell that nothing near by is lower, and what they
-    /// promise without its being found is refused. Lewis & Overton, *Nonsmooth optimization via quasi-Newton methods*,
-    /// Math. Programming 141 (2013); Kiwiel, *Proximity control in bundle methods*, Math. Programming 46 (1990).
+    /// Functions and conditions may have kinks, as sums of `abs` and the greatest of several have, which fit the most points
+    /// or tolerate the least, straight or bent: the planes of what meets near the answer must hold one another off from
+    /// whatever is lower, within a hundredth of the unknowns' sizes down to a hundred-millionth, and it is looked along the
+    /// kinks whether they fall there; what is promised without its being found is refused, and kinks of more than 60
+    /// unknowns may be. Without derivatives more is refused, and answers have some six digits. Lewis & Overton, *Nonsmooth
+    /// optimization via quasi-Newton methods*, Math. Programming 141 (2013); Goldstein, *Optimization of Lipschitz continuous
+    /// functions*, Math. Programming 13 (1977); Schramm & Zowe, *A version of the bundle idea*, SIAM J. Optim. 2 (1992).
     minimize in Math -> Value {
         /// A function of the unknowns that yields a number; all may have a dimension.
         f: Spanned<Callback>,
