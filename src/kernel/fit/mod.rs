@@ -3,8 +3,8 @@
 //! `parameters` says where on the curve each point is to lie; `equation` holds
 //! the equations that follow, which are solved in time linear in the number of points; `interpolate` makes
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
-//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point,
-//! `varied_spline` the curves that vary so, `moving_grid` surfaces through grids, `moving_surface` surfaces whose rows are splines, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
+//! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point, by the `leg_growths` of parameters,
+//! `varied_spline` the curves that vary so, `moving_grid` surfaces through grids by their `grid_lines`, `moving_surface` surfaces whose rows are splines, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
 //! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `balanced` does so by what the `span_errors` are, from parameters
 //! by `affine_length`, and attempts what its `balance` tells, `sample` from some of many points, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
@@ -14,11 +14,13 @@ mod approximate;
 mod balance;
 mod balanced;
 mod equation;
+mod grid_lines;
 mod growth;
 mod interpolate;
 mod kinks;
 mod lagrange;
 mod least;
+mod leg_growths;
 mod moving;
 mod moving_grid;
 mod moving_skin;
@@ -39,11 +41,12 @@ mod varied_spline;
 mod within;
 
 pub use approximate::{approximate, approximate_within};
+pub use grid_lines::GridLines;
 pub use interpolate::{Ends, Interpolator};
 pub use lagrange::lagrange;
 pub use least::Approximator;
 pub(crate) use least::FitCondition;
-pub use moving_grid::GridLines;
+
 pub use parameters::{Parametrization, check_parameters};
 pub use surface::{FirstPass, LineFit};
 pub use varied_spline::{interpolate_varied, interpolate_varied_ring};

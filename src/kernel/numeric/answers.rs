@@ -128,13 +128,13 @@ impl<F> CountedFunctions<F> {
             let sides = behind.iter().zip(&before).zip(&own.values);
             let told = gradients.iter_mut().zip(&mut self.jumps);
             for ((gradient, jumps), ((&behind, &before), &here)) in told.zip(sides) {
-                let width = high - low;
-                let jump = jump([here - before, behind - here], here);
-                jumps[k] = if 0.0 < width { 2.0 * jump / width } else { 0.0 };
                 // On one side alone where the other has no value.
                 let [low, before] = if before.is_finite() { [low, before] } else { [x, here] };
                 let [high, behind] = if behind.is_finite() { [high, behind] } else { [x, here] };
                 gradient[k] = if low < high { (behind - before) / (high - low) } else { 0.0 };
+                if low < x && x < high {
+                    jumps[k] = 2.0 * jump([here - before, behind - here], here) / (high - low);
+                }
             }
         }
         Ok(gradients)

@@ -21,7 +21,7 @@ use crate::{
         KINK_HULL_FEW, KINK_HULL_HALVINGS, KINK_HULL_PLANES, KINK_HULL_RETURNS, KINK_UNKNOWNS,
     },
     tolerance::{
-        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE,
+        DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE, KINK_HULL_BENDS,
         KINK_HULL_DIFFERENCE_RELATIVE, KINK_HULL_REACHES, KINK_HULL_RELATIVE, KINK_ROUNDINGS,
         KINK_SLOPE_RELATIVE, LAST_BIT, LEAST_PROBE_RELATIVE,
     },
@@ -29,10 +29,6 @@ use crate::{
 
 /// The share of a promised fall from which on that is kept.
 const KEPT: f64 = 0.1;
-
-/// Curvatures that hold a step within reach, as shares of the steepest slope over the reach: what narrow valleys promise
-/// shows with little of it.
-const BENDS: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
 
 /// What is known of a function and its conditions within reach of a place.
 struct Hull {
@@ -177,7 +173,7 @@ where
         };
         let model = CurvatureModel::new(self.place.len());
         let mut best: Option<(Vec<f64>, f64)> = None;
-        for bend in BENDS {
+        for bend in KINK_HULL_BENDS {
             let share = bend * hull.steepest() / reach;
             let step = model.step_below(&terms, &hull.planes, &hull.cuts, share);
             let Some((mut way, mut fall)) = step else { continue };
