@@ -14,7 +14,7 @@ use crate::{
 
 /// How the lines of a grid along a direction are splines.
 ///
-/// See [`VariedSurface::through_grid`].
+/// See [`VariedSurface::through_grid`](crate::VariedSurface::through_grid).
 #[derive(Clone, Copy, Debug)]
 pub struct GridLines<'a> {
     /// As for [`Interpolator::new`].

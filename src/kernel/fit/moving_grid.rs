@@ -22,11 +22,11 @@ use crate::{
 
 impl VariedSurface {
     /// A surface through a grid of points, row after row along v, with the slopes that it has by these. None where it is
-    /// not made of them so, or its slopes are not known: by [`Parametrization::Foley`], of lines that are polygons, and
+    /// not made of them so, or its slopes are not known: by [`Parametrization::Foley`](crate::Parametrization::Foley), of lines that are polygons, and
     /// where neighbours at one place part.
     ///
     /// # Errors
-    /// [`CountError::WrongCount`] unless there are slopes of each point; as for [`Interpolator::new`].
+    /// [`CountError::WrongCount`](crate::CountError::WrongCount) unless there are slopes of each point; as for [`Interpolator::new`](crate::Interpolator::new).
     ///
     /// ```
     /// use std::sync::Arc;
