@@ -214,9 +214,10 @@ pub(crate) const KINK_PLANES: usize = 3;
 /// Times that such a search gives planes up because they contradict one another by rounding.
 pub(crate) const KINK_GIVEN_UP: usize = 3;
 
-/// Planes for each unknown by which a place beside kinks is shown to be one of the least, and how many there are in all of
-/// more than [`KINK_UNKNOWNS`]: enough to tell that there is no kink.
+/// Planes for each unknown by which a place beside kinks is shown to be one of the least; of how many unknowns at most, by
+/// gradients and by differences; and how many planes there are in all of more: enough to tell that there is no kink.
 pub(crate) const KINK_HULL_PLANES: usize = 4;
+pub(crate) const KINK_HULL_UNKNOWNS: [usize; 2] = [16, 12];
 pub(crate) const KINK_HULL_FEW: usize = 8;
 
 /// Halvings of a way that does not lead as low as planes promised, and doublings of one that does.

@@ -14,6 +14,10 @@ use crate::{
     tolerance::{PARAMETER_RELATIVE, SLIDE_RELATIVE},
 };
 
+/// Points for each control point with which knots that are spread alike are where few are enough; with fewer it may be that
+/// those that are left where others were taken away are fewer still.
+const PLENTY_OF_POINTS: usize = 16;
+
 /// So many points are many: what costs more than it saves is left out.
 const MANY: usize = 2000;
 
@@ -92,10 +96,15 @@ impl FitSearch<'_> {
     /// # Errors
     /// [`FitError::ToleranceNotKept`] below the rounding of the coordinates.
     pub(super) fn run(&mut self, parameters: &[f64]) -> Result<FittedCurve, GeomError> {
-        match self.run_on_balanced_samples(parameters) {
-            Some(found) => Ok(found),
-            None => self.run_by_thinning(parameters),
+        let Some(balanced) = self.run_on_balanced_samples(parameters) else {
+            return self.run_by_thinning(parameters);
+        };
+        if PLENTY_OF_POINTS * balanced.n_control() <= self.points.len() {
+            return Ok(balanced);
         }
+        let thinned = self.run_by_thinning(parameters).ok();
+        let fewer = thinned.filter(|thinned| thinned.n_control() < balanced.n_control());
+        Ok(fewer.unwrap_or(balanced))
     }
 
     /// [`Self::run`], knots taken away one after the other.

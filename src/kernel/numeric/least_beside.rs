@@ -14,8 +14,11 @@ use super::{
     symmetric_eigen::symmetric_axes,
 };
 use crate::{
-    ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS},
-    tolerance::{LEAST_BEND_RELATIVE, LEAST_FAR, LEAST_PROBE_RELATIVE, LEAST_SLOPE_RELATIVE},
+    ceiling::{CONDITION_CORRECTIONS, CURVATURE_UNKNOWNS, KINK_HULL_UNKNOWNS},
+    tolerance::{
+        KINK_ROUNDINGS, LAST_BIT, LEAST_BEND_RELATIVE, LEAST_FAR, LEAST_PROBE_RELATIVE,
+        LEAST_SLOPE_RELATIVE,
+    },
 };
 
 /// How many times farther than beside it is looked where the curvature is none: what falls with a higher power of
@@ -69,10 +72,42 @@ where
             return Ok(true);
         }
         self.is_unproven = false;
-        if is_kinked || self.has_kinks_beside()? {
-            return self.leaves_by_hull();
+        // Of so many unknowns that the hull takes too long, planes that were nowhere above the function count.
+        let is_many = KINK_HULL_UNKNOWNS[0] < self.place.len() && !self.asked.has_differences;
+        let is_shown = is_kinked && is_many && self.is_shown;
+        if !is_shown && self.is_beside_kinks(is_kinked)? {
+            self.leaves_by_hull()
+        } else {
+            Ok(false)
         }
-        Ok(false)
+    }
+
+    /// By how much the function bends at most along an unknown, as far as both sides of the place tell.
+    pub(super) fn bend_beside(&self) -> f64 {
+        let bends = self.beside.iter().map(|sides| self.bend(*sides, LEAST_PROBE_RELATIVE).abs());
+        bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Whether along each unknown the function bends over a tenth of the way as it does over the whole: across a kink it
+    /// bends the more the less of the way is looked at, and beside one not at all.
+    pub(super) fn bends_evenly(&mut self) -> Result<bool, E> {
+        let reach = 0.1 * LEAST_PROBE_RELATIVE;
+        let rounding = KINK_ROUNDINGS * LAST_BIT * self.merit(&self.values).abs();
+        for (k, sides) in self.beside.clone().into_iter().enumerate() {
+            let far = self.bend(sides, LEAST_PROBE_RELATIVE);
+            let near = self.sides(&axis(self.place.len(), k), reach, &[])?.along;
+            let near = self.bend(near, reach);
+            let unlike = (near - far).abs() - rounding / (reach * reach);
+            if 0.5 * near.abs().max(far.abs()) < unlike {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn bend(&self, [before, behind]: [f64; 2], reach: f64) -> f64 {
+        let here = self.merit(&self.values);
+        (before - here + (behind - here)) / (reach * reach)
     }
 
     /// Looks at both sides along each unknown, and keeps what is there; those of which the better one is best.

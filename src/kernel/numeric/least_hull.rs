@@ -18,7 +18,7 @@ use super::{
 };
 use crate::{
     ceiling::{
-        KINK_HULL_FEW, KINK_HULL_HALVINGS, KINK_HULL_PLANES, KINK_HULL_RETURNS, KINK_UNKNOWNS,
+        KINK_HULL_FEW, KINK_HULL_HALVINGS, KINK_HULL_PLANES, KINK_HULL_RETURNS, KINK_HULL_UNKNOWNS,
     },
     tolerance::{
         DIFFERENCE_RELATIVE, KINK_BESIDE_RELATIVE, KINK_DIFFERENCE_RELATIVE, KINK_HULL_BENDS,
@@ -133,7 +133,8 @@ where
         } else {
             KINK_HULL_RELATIVE
         };
-        for _ in 0..if n <= KINK_UNKNOWNS { KINK_HULL_PLANES * (n + 2) } else { KINK_HULL_FEW } {
+        let is_many = KINK_HULL_UNKNOWNS[usize::from(self.asked.has_differences)] < n;
+        for _ in 0..if is_many { KINK_HULL_FEW } else { KINK_HULL_PLANES * (n + 2) } {
             let steep = hull.steepest();
             if steep <= 0.0 {
                 return Ok(Nearby::Least(hull.planes));

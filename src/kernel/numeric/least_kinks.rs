@@ -56,19 +56,23 @@ where
     }
 
     /// Whether the place at which the search settled is beside kinks: its slopes became no less, or differences over so much
-    /// that they are of both sides are others than those of one side.
-    pub(super) fn has_kinks_beside(&mut self) -> Result<bool, E> {
+    /// that they are of both sides are others than those of one side, by more than what the function bends.
+    pub(super) fn is_beside_kinks(&mut self, is_kinked: bool) -> Result<bool, E> {
         if !self.asked.has_differences {
-            return Ok(self.is_steep());
+            return Ok(is_kinked || self.is_steep());
         }
         let (place, values) = (self.place.clone(), self.values.clone());
         self.asked.reach = KINK_DIFFERENCE_RELATIVE;
         let beside = self.slopes_beside(&place, &values);
         self.asked.reach = DIFFERENCE_RELATIVE;
-        let least = KINK_SLOPE_RELATIVE * self.steepest();
-        Ok(beside?.0.iter().zip(&self.slopes).any(|(one, both)| {
+        let bent = 2.0 * (KINK_BESIDE_RELATIVE + DIFFERENCE_RELATIVE) * self.bend_beside();
+        let hidden =
+            KINK_ROUNDINGS * LAST_BIT * self.merit(&self.values).abs() / KINK_DIFFERENCE_RELATIVE;
+        let least = (KINK_SLOPE_RELATIVE * self.steepest()).max(bent).max(hidden);
+        let is_unlike = beside?.0.iter().zip(&self.slopes).any(|(one, both)| {
             least.max(KINK_SLOPE_RELATIVE * magnitude(one)) < distance(one, both)
-        }))
+        });
+        Ok(is_unlike || is_kinked && !self.bends_evenly()?)
     }
 
     /// Goes to the least value between the kinks beside the place; whether there are some.
@@ -88,6 +92,7 @@ where
     }
 
     fn follow_planes(&mut self) -> Result<bool, E> {
+        self.is_shown = false;
         let n = self.place.len();
         let model = self.learned.take().unwrap_or_else(|| CurvatureModel::new(n)).evened();
         let (place, values) = (self.place.clone(), self.values.clone());
@@ -127,6 +132,7 @@ where
             } else if reach < LEAST_PROBE_RELATIVE && 1.0 < KINK_SHARE_MOST * planes.share {
                 planes.share *= LONGER;
             } else {
+                self.is_shown = !self.has_planes_above;
                 break;
             }
         }
@@ -154,9 +160,12 @@ where
         let off = distance(&gradient, &planes.known[0].gradient);
         let least = KINK_SLOPE_RELATIVE * self.steepest();
         planes.are_kinked |= least.max(KINK_BEND_MOST * magnitude(&way)) < off;
+        let above = -rounding.max(self.little());
         if KEPT < kept {
             for plane in &mut planes.known {
-                plane.gap = (plane.gap - fall - dot(&plane.gradient, &way)).abs();
+                let gap = plane.gap - fall - dot(&plane.gradient, &way);
+                self.has_planes_above |= gap < above;
+                plane.gap = gap.abs();
             }
             (self.place, self.values, self.slopes) = (place, values, slopes);
             self.beside.clear();
@@ -166,7 +175,9 @@ where
             planes.known.retain(|known| !known.is_alike(&gradient));
             planes.known.insert(0, Plane { gradient, gap: below.abs() });
         } else {
-            let gap = (fall + below + dot(&gradient, &way)).abs();
+            let gap = fall + below + dot(&gradient, &way);
+            self.has_planes_above |= gap < above;
+            let gap = gap.abs();
             let is_hidden = promised <= self.little() || fall == 0.0;
             planes.learn(Plane { gradient, gap: gap.max(rounding) }, promised, is_hidden);
         }
@@ -208,7 +219,7 @@ where
         if !self.asked.has_differences {
             return false;
         }
-        let bend = KINK_BEND_MOST * KINK_DIFFERENCE_RELATIVE;
+        let bend = KINK_BEND_MOST.max(4.0 * self.bend_beside()) * KINK_DIFFERENCE_RELATIVE;
         let jumps = self.scaled(self.asked.jumps.clone());
         jumps.iter().zip(slopes).any(|(jumps, slopes)| {
             bend.max(KINK_SLOPE_RELATIVE * magnitude(slopes)) < magnitude(jumps)

@@ -51,6 +51,10 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) is_left: bool,
     /// Whether beside kinks more was promised than found.
     pub(super) is_unproven: bool,
+    /// Whether planes between kinks tell that nothing near by is lower.
+    pub(super) is_shown: bool,
+    /// Whether one of them was above the function somewhere, which is not convex then.
+    pub(super) has_planes_above: bool,
     /// How steeply the function fell along each step.
     pub(super) steepness: Vec<f64>,
     /// The penalized value where the last descent began, and where the first one did.
@@ -96,6 +100,8 @@ where
             left_by: 0.0,
             is_left: false,
             is_unproven: false,
+            is_shown: false,
+            has_planes_above: false,
             steepness: Vec::new(),
             first_merit: 0.0,
             start_merit: 0.0,
