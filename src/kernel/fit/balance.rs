@@ -26,7 +26,7 @@ const CLOSE: f64 = 3.0;
 /// What all spans are to miss, as a share of the tolerance.
 const TARGET: f64 = 0.9;
 
-/// So does one that spreads the knots anew.
+/// Knots that were spread anew and miss by more than this share of what they missed before gain nothing.
 const SPREAD_GAIN: f64 = 0.93;
 
 /// How often the knots of one number of spans are spread anew.
