@@ -15,6 +15,14 @@ use crate::{
 /// How the lines of a grid along a direction are splines.
 ///
 /// See [`VariedSurface::through_grid`](crate::VariedSurface::through_grid).
+///
+/// ```
+/// use virote_kernel::{Ends, GridLines, Parametrization};
+///
+/// let lines =
+///     GridLines { degree: 3, ends: Ends::Bessel, parameters: &[0.0, 0.4, 1.0], rule: Some(Parametrization::Chord) };
+/// assert_ne!(lines.rule, Some(Parametrization::Uniform));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct GridLines<'a> {
     /// As for [`Interpolator::new`].
