@@ -160,6 +160,10 @@ pub(crate) const RAY_STRIPS: usize = 4096;
 /// Places where a function may lack derivatives.
 pub(crate) const FUNCTION_BREAKS: usize = 64;
 
+/// Control points, along one direction of a surface, up to which knots are taken away one by one; of more that is seldom
+/// worth the time.
+pub(crate) const SINGLE_REMOVALS: usize = 64;
+
 /// So many knots that cost least are tried: if none of them can go, another one seldom can.
 pub(crate) const KNOTS_TRIED: usize = 16;
 

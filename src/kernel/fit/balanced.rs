@@ -11,7 +11,7 @@ use super::{
 };
 use crate::{
     KnotVector,
-    ceiling::{BALANCE_ROUNDS, BALANCED_KNOTS_TRIED, BALANCED_SLIDES},
+    ceiling::{BALANCE_ROUNDS, BALANCED_KNOTS_TRIED, BALANCED_SLIDES, SINGLE_REMOVALS},
     tolerance::BALANCED_SLIDE_RELATIVE,
 };
 
@@ -29,9 +29,6 @@ const SLIDE_GAIN: f64 = 0.97;
 
 /// Points that slid count only where what they are missed by is no more than this share of what others are.
 const BETTER: f64 = 0.7;
-
-/// Control points up to which they go one by one.
-const FEW: usize = 64;
 
 impl FitSearch<'_> {
     /// A curve within the tolerance that has few control points.
@@ -70,7 +67,7 @@ impl FitSearch<'_> {
     /// Ever one control point fewer: one knot taken away, or all of them where the curve needs them.
     fn with_one_fewer(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = self.thinned_soon(first);
-        while (self.degree + 2..=FEW).contains(&best.n_control()) && 0 < self.left {
+        while (self.degree + 2..=SINGLE_REMOVALS).contains(&best.n_control()) && 0 < self.left {
             match self.spread(&best, best.n_control() - 1) {
                 Ok(spread) => best = self.thinned_soon(spread),
                 Err(_) => break,
@@ -177,7 +174,7 @@ impl FitSearch<'_> {
     /// Takes knots away one by one, of the few that cost least the first that can go.
     fn thinned_soon(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = first;
-        while (self.degree + 2..=FEW).contains(&best.n_control()) && 0 < self.left {
+        while (self.degree + 2..=SINGLE_REMOVALS).contains(&best.n_control()) && 0 < self.left {
             let costs = self.costs(&best.curve);
             let knots = best.curve.knots().clone();
             let without = |&(_, i): &(f64, usize)| {

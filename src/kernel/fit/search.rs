@@ -18,6 +18,9 @@ use crate::{
 /// those that are left where others were taken away are fewer still.
 const PLENTY_OF_POINTS: usize = 16;
 
+/// Up to this degree it is known how fast errors fall where points slide; of higher ones either way may come to fewer.
+const BALANCED_DEGREE: usize = 3;
+
 /// So many points are many: what costs more than it saves is left out.
 const MANY: usize = 2000;
 
@@ -99,7 +102,8 @@ impl FitSearch<'_> {
         let Some(balanced) = self.run_on_balanced_samples(parameters) else {
             return self.run_by_thinning(parameters);
         };
-        if PLENTY_OF_POINTS * balanced.n_control() <= self.points.len() {
+        let has_plenty = PLENTY_OF_POINTS * balanced.n_control() <= self.points.len();
+        if has_plenty && self.degree <= BALANCED_DEGREE {
             return Ok(balanced);
         }
         let thinned = self.run_by_thinning(parameters).ok();

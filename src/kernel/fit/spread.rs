@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{interpolate::check_degree, parameters::check_ends};
 use crate::{
-    GeomError, KnotVector, NurbsCurve,
+    GeomError, KnotError, KnotVector, NurbsCurve,
     knots::check_points,
     tolerance::{LEAST_KNOT_DENSITY, PARAMETER_RELATIVE, SPREADING_SPARE},
 };
@@ -15,7 +15,8 @@ impl KnotVector {
     ///
     /// Piegl & Tiller, *The NURBS Book*, (9.68) and (9.69); where that leaves hardly more parameters than control
     /// points, means of `degree` of as many places among the parameters as there are control points, which with
-    /// as many control points as parameters are the knots of interpolation, (9.8).
+    /// as many control points as parameters are the knots of interpolation, (9.8). Where so many parameters are one that
+    /// knots would stand there too often, each counts once.
     ///
     /// # Errors
     /// `CountError::CountTooSmall` for degree 0, `CountError::TooFewPoints` below two parameters,
@@ -29,6 +30,20 @@ impl KnotVector {
         check_degree(degree)?;
         check_points(degree, n_points)?;
         check_ends(parameters)?;
+        match Self::spreading_over(degree, n_points, parameters) {
+            Err(GeomError::Knots(KnotError::KnotMultiplicity { .. })) => {
+                Self::spreading_over(degree, n_points, &distinct(parameters))
+            }
+            found => found,
+        }
+    }
+
+    /// [`Self::spreading`], of parameters many of which may be one.
+    fn spreading_over(
+        degree: usize,
+        n_points: usize,
+        parameters: &[f64],
+    ) -> Result<Self, GeomError> {
         let share = parameters.len() as f64 / (n_points - degree) as f64;
         if share < 1.0 + SPREADING_SPARE * (degree * degree).max(2) as f64 {
             return Self::averaging(degree, n_points, parameters);
@@ -63,6 +78,21 @@ impl KnotVector {
         let [start, end] = [parameters[0], parameters[last]].map(|t| vec![t; degree + 1]);
         Self::new(degree, [&start[..], &inner, &end].concat())
     }
+}
+
+/// Parameters, each of those that are one counted once; both ends stay.
+fn distinct(parameters: &[f64]) -> Vec<f64> {
+    let [start, end] = [parameters[0], parameters[parameters.len() - 1]];
+    let same = PARAMETER_RELATIVE * (end - start);
+    let mut found = vec![start];
+    let inner = parameters.iter().filter(|&&t| same < end - t);
+    inner.for_each(|&t| {
+        if same < t - found[found.len() - 1] {
+            found.push(t);
+        }
+    });
+    found.push(end);
+    found
 }
 
 /// Points for each part into which a span is divided at once.

@@ -1,10 +1,12 @@
 //! Taking knots away from a curve that has more than its tolerance needs.
 
 use super::search::{FitSearch, FittedCurve};
-use crate::{KnotVector, NurbsCurve, ceiling::KNOTS_TRIED, removal::removal, sorting::sort_by};
-
-/// Control points up to which knots go one by one; of more that is seldom worth the time.
-const FEW: usize = 64;
+use crate::{
+    KnotVector, NurbsCurve,
+    ceiling::{KNOTS_TRIED, SINGLE_REMOVALS},
+    removal::removal,
+    sorting::sort_by,
+};
 
 impl FitSearch<'_> {
     /// Takes many knots away together: of those whose removal alone would be within the tolerance
@@ -59,7 +61,7 @@ impl FitSearch<'_> {
     /// Takes knots away one by one, of those that cost least the first that can go; whether it ended because none can.
     pub(super) fn thinned(&mut self, first: FittedCurve) -> (FittedCurve, bool) {
         let mut best = first;
-        while best.n_control() <= FEW && 0 < self.left {
+        while best.n_control() <= SINGLE_REMOVALS && 0 < self.left {
             let costs = self.costs(&best.curve);
             let (knots, start) = (best.curve.knots().clone(), best.parameters.clone());
             let without = |&(_, i): &(f64, usize)| {

@@ -10,15 +10,13 @@ use glam::DVec3;
 
 use super::{Approximator, Ends, FirstPass, Interpolator, LineFit, parameters::check_ends, spread};
 use crate::{
-    CountError, FitError, GeomError, Grid, KnotVector, NurbsSurface, ceiling::FIT_ROUNDS,
+    CountError, FitError, GeomError, Grid, KnotVector, NurbsSurface,
+    ceiling::{FIT_ROUNDS, SINGLE_REMOVALS},
     knots::check_points,
 };
 
 /// The columns may use this part of the tolerance; the rest is left to the rows.
 const SHARE_OF_COLUMNS: f64 = 0.5;
-
-/// Control points along a direction up to which knots are taken away one by one.
-const FEW: usize = 64;
 
 /// Data of one direction: the parameters of its points, and the degree.
 ///
@@ -179,7 +177,7 @@ impl Data<'_> {
             let mut without: Option<(NurbsSurface, f64)> = None;
             for along in [0, 1] {
                 let knots = [best.knots_u(), best.knots_v()];
-                if FEW < knots[along].n_points() {
+                if SINGLE_REMOVALS < knots[along].n_points() {
                     continue;
                 }
                 let breaks = knots[along].breaks();
