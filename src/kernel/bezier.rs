@@ -121,6 +121,10 @@ fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
     let p = knots.degree();
     let (start, end) = (knots.as_slice()[span], knots.as_slice()[span + 1]);
     let mut corners = local.to_vec();
+    // Between knots that stand as often as the degree the piece has these very points.
+    if p == 0 || start <= knots.as_slice()[span + 1 - p] && knots.as_slice()[span + p] <= end {
+        return corners;
+    }
     let blossom = |n_at_end: usize| {
         corners.copy_from_slice(local);
         for q in 1..=p {

@@ -8,4 +8,3 @@ check area(pair) ~= 8 - 0.5 * pi within 1e-9
 check area(notch) ~= 8 - 0.25 * pi within 1e-9
 export pair to "pair.step"
 export notch to "notch.step"
-export [pair, notch] to "both.igs"

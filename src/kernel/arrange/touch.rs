@@ -33,7 +33,7 @@ pub(super) fn touch_of(
     let is_on = |i: usize| {
         let way = i as f64 / WAY_PARTS as f64;
         let point = first.point_at(crossing[0] + (touch[0] - crossing[0]) * way);
-        second.closest(point, tolerance).distance <= tolerance
+        second.foot_within(point, tolerance).is_some()
     };
     let apart = norm(second.point_at(touch[1]) - first.point_at(touch[0]));
     if apart <= tolerance && (1..=WAY_PARTS).all(is_on) { touch } else { crossing }

@@ -32,6 +32,10 @@ pub(crate) const SHARED_STRETCHES: usize = 1000;
 /// running together.
 pub(crate) const SURFACE_PAIRS: usize = 200_000;
 
+/// Coefficients of parts of two surfaces that are kept in a search, some 60 MB; further parts are made anew for each part
+/// that they are near to.
+pub(crate) const KEPT_COEFFICIENTS: usize = 2_000_000;
+
 /// Pairs in which a contact is looked for before it seems that second derivatives do not tell any.
 pub(crate) const CONTACT_LOOKS: usize = 4000;
 

@@ -135,8 +135,57 @@ impl KnotVector {
         t: f64,
         f: impl FnOnce([&[f64]; N]) -> R,
     ) -> R {
-        let n = self.degree + 1;
-        self.with_derivatives(span, t, N - 1, |rows| f(from_fn(|k| &rows[k * n..][..n])))
+        match self.degree {
+            1 => f(self.derivative_rows::<2, N>(span, t).each_ref().map(|row| &row[..])),
+            2 => f(self.derivative_rows::<3, N>(span, t).each_ref().map(|row| &row[..])),
+            3 => f(self.derivative_rows::<4, N>(span, t).each_ref().map(|row| &row[..])),
+            degree => {
+                let n = degree + 1;
+                self.with_derivatives(span, t, N - 1, |rows| f(from_fn(|k| &rows[k * n..][..n])))
+            }
+        }
+    }
+
+    /// The rows of [`Self::fill_derivatives`] for degree M - 1, to the last bit, in loops whose length the compiler knows.
+    #[inline]
+    fn derivative_rows<const M: usize, const N: usize>(
+        &self,
+        span: usize,
+        t: f64,
+    ) -> [[f64; M]; N] {
+        let p = M - 1;
+        let around = &self.knots[span + 1 - p..=span + p];
+        let mut rows = [[0.0; M]; N];
+        let mut values = [0.0; M];
+        values[0] = 1.0;
+        for q in 1..=p {
+            if p - q + 1 < N {
+                rows[p - q + 1] = values;
+            }
+            let mut carried = 0.0;
+            for i in 0..q {
+                let (left, right) = (around[p - q + i], around[p + i]);
+                let alpha = (t - left) / (right - left);
+                let to_next = alpha * values[i];
+                values[i] = carried + (1.0 - alpha) * values[i];
+                carried = to_next;
+            }
+            values[q] = carried;
+        }
+        rows[0] = values;
+        for (k, row) in rows.iter_mut().enumerate().skip(1).take(p) {
+            for q in p + 1 - k..=p {
+                let mut carried = 0.0;
+                for i in 0..q {
+                    let (left, right) = (around[p - q + i], around[p + i]);
+                    let slope = q as f64 * row[i] / (right - left);
+                    row[i] = carried - slope;
+                    carried = slope;
+                }
+                row[q] = carried;
+            }
+        }
+        rows
     }
 
     fn slopes_at(&self, span: usize, t: f64, values: &mut [f64], slopes: &mut [f64]) {

@@ -148,3 +148,16 @@ impl SpanLookup {
         ((part + WHOLE).to_bits() - WHOLE.to_bits()) as usize
     }
 }
+
+impl KnotVector {
+    /// Whether any of [`Self::full_breaks`] is inside of the domain.
+    pub(crate) fn has_inner_full_break(&self) -> bool {
+        let (n, last) = (self.degree + 1, self.knots.len() - 1);
+        let domain = self.domain();
+        // Knots are in order: those of a run are equal where its ends are.
+        (1..=last.saturating_sub(n)).any(|i| {
+            let t = self.knots[i];
+            t >= self.knots[i + n - 1] && domain.start() < t && t < domain.end()
+        })
+    }
+}

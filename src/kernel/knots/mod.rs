@@ -340,9 +340,21 @@ impl KnotVector {
 
     /// Turns values of degree q − 1 on a span into values of degree q, in place.
     fn raise(&self, q: usize, span: usize, t: f64, values: &mut [f64]) {
+        let (lefts, rights) = (&self.knots[span + 1 - q..=span], &self.knots[span + 1..=span + q]);
         let mut carried = 0.0;
-        let windows = self.knots[span + 1 - q..].iter().zip(&self.knots[span + 1..]);
-        for (value, (&left, &right)) in values[..q].iter_mut().zip(windows) {
+        // Between knots that stand as often as the degree all quotients are one.
+        if lefts[0] >= lefts[q - 1] && rights[0] >= rights[q - 1] {
+            let alpha = (t - lefts[0]) / (rights[0] - lefts[0]);
+            let stays = 1.0 - alpha;
+            for value in &mut values[..q] {
+                let to_next = alpha * *value;
+                *value = carried + stays * *value;
+                carried = to_next;
+            }
+            values[q] = carried;
+            return;
+        }
+        for (value, (&left, &right)) in values[..q].iter_mut().zip(lefts.iter().zip(rights)) {
             let alpha = (t - left) / (right - left);
             let to_next = alpha * *value;
             *value = carried + (1.0 - alpha) * *value;

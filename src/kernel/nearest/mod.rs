@@ -60,7 +60,7 @@ pub(crate) struct ClosestPointTree {
 /// Parameters of a spline.
 #[derive(Debug)]
 pub(crate) struct SplineParameters {
-    /// Places that are nearest, at least one, and some that were on the way to them.
+    /// Places that are nearest, at least one unless it is too far, and some that were on the way to them.
     pub(crate) single: Vec<[f64; 2]>,
     /// The ends of stretches that are equally near all along; they are among the places too.
     pub(crate) stretches: Vec<[[f64; 2]; 2]>,
@@ -71,6 +71,8 @@ pub(crate) struct SplineParameters {
 pub(crate) enum SearchTarget {
     /// One of the nearest.
     One,
+    /// One of the nearest, if that is no further away.
+    OneWithin(f64),
     /// Each local minimum that is at most so much further away than the nearest.
     AllWithin(f64),
 }
@@ -122,6 +124,11 @@ impl ClosestPointTree {
         let size = self.magnitude.max(p.abs().max_element());
         let unit = if size < LARGE { 1.0 } else { 1.0 / size };
         let degrees = [self.along[0].degree, self.along[1].degree];
+        let rounding = NEAREST_RELATIVE * size * unit;
+        let best = match wanted {
+            SearchTarget::OneWithin(distance) => distance * unit + rounding,
+            SearchTarget::One | SearchTarget::AllWithin(_) => f64::INFINITY,
+        };
         let mut search = ClosestPointSearch {
             whole: self,
             points,
@@ -129,8 +136,8 @@ impl ClosestPointTree {
             p,
             unit,
             wanted: SearchTarget::One,
-            rounding: NEAREST_RELATIVE * size * unit,
-            best: f64::INFINITY,
+            rounding,
+            best,
             found: Vec::new(),
             stretches: Vec::new(),
             patch: BezierPatch::new(degrees),
@@ -181,7 +188,7 @@ struct ClosestPointSearch<'a> {
 impl ClosestPointSearch<'_> {
     fn run(&mut self) {
         let mut nodes = vec![(0.0, self.whole.tree.root())];
-        while (self.found.is_empty() || work::goes_on(1))
+        while (self.has_nothing() || work::goes_on(1))
             && let Some((least, node)) = nodes.pop()
         {
             if self.limit() < least {
@@ -201,11 +208,16 @@ impl ClosestPointSearch<'_> {
         }
     }
 
+    /// Whether anything is of interest, however far away.
+    fn has_nothing(&self) -> bool {
+        self.found.is_empty() && self.best.is_infinite()
+    }
+
     /// What is further away than this is of no interest.
     fn limit(&self) -> f64 {
         match self.wanted {
             SearchTarget::AllWithin(tolerance) => self.best + tolerance,
-            SearchTarget::One => {
+            SearchTarget::One | SearchTarget::OneWithin(_) => {
                 let many = (self.n_parts / MANY_PARTS).min(NEAREST_LENIENCIES);
                 let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
                 self.best - self.rounding * leniency
@@ -222,7 +234,7 @@ impl ClosestPointSearch<'_> {
         }
         self.gap.start(self.patch.net());
         self.todo.push(PatchPart::whole([whole.along[0].degree, whole.along[1].degree]));
-        while (self.found.is_empty() || work::goes_on(1))
+        while (self.has_nothing() || work::goes_on(1))
             && let Some(cell) = self.todo.pop()
         {
             self.gap.next();
@@ -245,12 +257,12 @@ impl ClosestPointSearch<'_> {
     fn note_corners(&mut self, cell: PatchPart, spans: [usize; 2]) {
         for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
             let limit = self.best * self.best;
-            if !self.found.is_empty() && !self.gap.may_be_below(corner, limit) {
+            if !self.has_nothing() && !self.gap.may_be_below(corner, limit) {
                 continue;
             }
             let place = cell.at(corner);
             let squared = self.patch.squared_at(place);
-            if squared < limit || self.found.is_empty() {
+            if squared < limit || self.has_nothing() {
                 self.note(place, squared.sqrt(), spans);
             }
         }
@@ -307,10 +319,10 @@ impl ClosestPointSearch<'_> {
 
     fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
         let distance_limit = match self.wanted {
-            SearchTarget::One => self.best,
+            SearchTarget::One | SearchTarget::OneWithin(_) => self.best,
             SearchTarget::AllWithin(_) => self.limit(),
         };
-        if !self.found.is_empty() && distance_limit < distance {
+        if !self.has_nothing() && distance_limit < distance {
             return;
         }
         if let SearchTarget::One = self.wanted {

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 
 use super::{PlaneLoop, Region, RegionError};
 use crate::{
-    Frame, GeomError,
+    Bounds, Frame, GeomError,
     arrange::{Arrangement, CellLoop, OrientedEdge},
+    sorting::sort_by,
 };
 
 /// A part of the plane that no edge of an arrangement runs through.
@@ -69,17 +70,24 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
     }
     let outer_edges: Vec<Vec<usize>> =
         parts.iter().map(|part| sorted_edges(&part.steps[0])).collect();
+    let bounds: Vec<Bounds> = parts.iter().map(|part| part.loops[0].bounds()).collect();
+    // The smallest that holds a hole has it.
+    let mut by_area: Vec<usize> = (0..parts.len()).collect();
+    sort_by(&mut by_area, |&a, &b| parts[a].area.total_cmp(&parts[b].area));
     for (component, hole, steps) in holes {
-        let mut around: Option<usize> = None;
-        for (i, part) in parts.iter().enumerate() {
-            let is_smaller = around.is_none_or(|best| part.area < parts[best].area);
-            let outer = &part.loops[0];
+        let (mut around, within) = (None, hole.bounds());
+        GeomError::go_on(1 + parts.len())?;
+        for &i in &by_area {
+            let part = &parts[i];
             // What hangs on a part in vertices alone may be a hole of it; along an edge they are neighbours.
             let is_beside =
                 || steps.iter().any(|(edge, _)| outer_edges[i].binary_search(edge).is_ok());
-            let may = is_smaller && outer.bounds().holds(hole.bounds(), distance);
-            if may && !(part.component == component && is_beside()) && outer.holds(&hole)? {
+            if bounds[i].holds(within, distance)
+                && !(part.component == component && is_beside())
+                && part.loops[0].holds(&hole)?
+            {
                 around = Some(i);
+                break;
             }
         }
         // What goes around everything of its own has nothing around it.

@@ -13,6 +13,13 @@ use crate::{
 /// Halvings of a piece whose integrals do not settle.
 const HALVINGS: usize = 30;
 
+/// Nodes of the rule of each piece.
+const N_NODES: usize = 2 * SIXTEEN_NODES.len();
+
+/// Coordinates and velocities that are multiplied for the area, and for all moments.
+const AREA_FACTORS: usize = 2;
+const MOMENT_FACTORS: usize = 4;
+
 /// Last bits of the size of a loop that integrals along it may be off.
 const ROUNDINGS: f64 = 16.0;
 
@@ -166,7 +173,7 @@ impl Region {
 impl PlaneLoop {
     /// The area to its left, negative where it runs clockwise.
     pub(super) fn area(&self) -> f64 {
-        self.moments(self.bounds().center())[0]
+        self.integrals(self.bounds().center(), AREA_FACTORS)[0]
     }
 
     /// Whether it goes around no more, with an area given, than a strip as long as it of a width.
@@ -193,14 +200,18 @@ impl PlaneLoop {
     /// Whether it comes within a distance of a point of the plane.
     fn comes_near(&self, point: DVec3, distance: f64) -> bool {
         let is_near = |arc: &NurbsCurve| {
-            arc.bounds().contains(point, distance)
-                && arc.closest(point, distance).distance <= distance
+            arc.bounds().contains(point, distance) && arc.foot_within(point, distance).is_some()
         };
         self.arcs.iter().any(is_near)
     }
 
     /// The moments of what is to its left about a point.
     fn moments(&self, about: DVec3) -> Moments {
+        self.integrals(about, MOMENT_FACTORS)
+    }
+
+    /// The same, right for those among whose integrands are no more coordinates and velocities than `n_factors`.
+    fn integrals(&self, about: DVec3, n_factors: usize) -> Moments {
         let size = IntegralSize::of(self.bounds());
         let mut sum = Moments::default();
         let mut end = self.arcs[self.arcs.len() - 1].end() - about;
@@ -219,7 +230,13 @@ impl PlaneLoop {
                 let interval = arc.knots().span_interval(span);
                 let piece = SpanPiece { arc, span, about };
                 let rough = piece.over(interval);
-                add(&mut sum, piece.settled(size, interval, rough, HALVINGS));
+                add(
+                    &mut sum,
+                    match piece.is_exact(n_factors) {
+                        true => rough,
+                        false => piece.settled(size, interval, rough, HALVINGS),
+                    },
+                );
             }
         }
         sum
@@ -266,6 +283,12 @@ struct SpanPiece<'a> {
 }
 
 impl SpanPiece<'_> {
+    /// Whether the rule is exact for products of so many coordinates, the last one a velocity: of n nodes it is so up to
+    /// degree 2n - 1.
+    fn is_exact(&self, n_factors: usize) -> bool {
+        !self.arc.is_rational() && n_factors * self.arc.degree() <= 2 * N_NODES
+    }
+
     /// The integrals along a part of it by one rule.
     fn over(&self, interval: Interval) -> Moments {
         let mut sum = Moments::default();

@@ -122,7 +122,7 @@ fn passes_by(edge: &NurbsCurve, places: &[DVec3], distance: f64) -> bool {
     let (bounds, own) = (edge.bounds(), [edge.start(), edge.end()]);
     let is_apart = |place: &&DVec3| own.iter().all(|end| distance < end.distance(**place));
     let mut near = places.iter().filter(|place| bounds.distance(**place) <= distance);
-    near.any(|place| is_apart(&place) && edge.closest(*place, distance).distance <= distance)
+    near.any(|place| is_apart(&place) && edge.foot_within(*place, distance).is_some())
 }
 
 /// A place where a rim crosses another one of its plane, or itself.

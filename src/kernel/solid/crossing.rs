@@ -258,7 +258,7 @@ impl<'s> ShellMesh<'s> {
         let Ok(edges) = self.faces[face].edges(self.tolerance) else { return false };
         edges.iter().all(|edge| {
             self.chord < edge.bounds().distance(point)
-                || self.chord < edge.closest(point, self.distance).distance
+                || edge.foot_within(point, self.chord).is_none()
         })
     }
 }

@@ -245,7 +245,7 @@ fn line_along(
         for edge in face.edges(tolerance)? {
             let is_within = |p: DVec3| (p - plane.origin()).dot(plane.z()).abs() <= distance;
             let goes_through = edge.bounds().distance(point) <= distance
-                && edge.closest(point, distance).distance <= distance;
+                && edge.foot_within(point, distance).is_some();
             let is_long = THIN_CUT * distance < edge.bounds().diagonal();
             if goes_through && is_long && edge.points().into_iter().all(is_within) {
                 return Ok(Some([edge.start(), edge.end()]));

@@ -88,6 +88,8 @@ pub struct NurbsSurface {
     nearest: Lazy<ClosestPointTree>,
     /// The smallest box around it.
     bounds: Lazy<Bounds>,
+    /// What it is a part of, with the distance that was asked for first.
+    analytic: Lazy<(f64, Option<AnalyticSurface>)>,
 }
 
 impl NurbsSurface {
@@ -208,6 +210,7 @@ impl NurbsSurface {
             expanded: Lazy::default(),
             nearest: Lazy::default(),
             bounds: Lazy::default(),
+            analytic: Lazy::default(),
         }
     }
 

@@ -122,3 +122,10 @@ pub(crate) const WHOLE_TURN_SLACK: f64 = 1e-3;
 ///
 /// Larger takes what is beside an edge for what is above a face; smaller sums solid angles where a normal would do.
 pub(crate) const STRAIGHT_SLACK: f64 = 1e-9;
+
+/// By how much the parameter lines of a surface may be askew to the circles about an axis, as a share, for integrals over
+/// them to be taken in closed form.
+///
+/// Larger takes lines for circles that are none; smaller asks for the integral over areas where rounding is all that they
+/// are askew by.
+pub(crate) const ROUND_SKEW: f64 = 1e-9;

@@ -37,16 +37,24 @@ impl AreaAndFlux {
             return Ok(Self { area: normal[0].length(), normal, flux, about });
         }
         let about = amid(std::slice::from_ref(face));
-        let found = face.integral(KINDS, |point, normal| {
-            let Density { values: [own], parts: [made_of] } = flux(arm(point, about), normal);
-            let DVec3 { x, y, z } = normal;
-            let values = [normal.length(), x, y, z, own];
-            Density { values, parts: [0.0, 0.0, 0.0, 0.0, made_of] }
-        })?;
+        let found = match face.round_area_and_flux(about)? {
+            Some(found) => found,
+            None => Self::by_areas(face, about)?,
+        };
         let [area, x, y, z, flux] = found.values;
         let [_, off_x, off_y, off_z, off] = found.errors;
         let normal = [DVec3::new(x, y, z), DVec3::new(off_x, off_y, off_z)];
         Ok(Self { area, normal, flux: [flux, off], about })
+    }
+
+    /// Area, normal and flux of a face of any surface.
+    fn by_areas(face: &Face, about: DVec3) -> Result<IntegralValues<5>, GeomError> {
+        face.integral(KINDS, |point, normal| {
+            let Density { values: [own], parts: [made_of] } = flux(arm(point, about), normal);
+            let DVec3 { x, y, z } = normal;
+            let values = [normal.length(), x, y, z, own];
+            Density { values, parts: [0.0, 0.0, 0.0, 0.0, made_of] }
+        })
     }
 
     /// The area.
@@ -102,6 +110,34 @@ mod tests {
             }
             let direct = cap.flux_from(about).expect("an integral").values[0];
             assert!((direct - told).abs() < 1e-11);
+        }
+    }
+
+    #[test]
+    fn parts_of_round_surfaces_have_the_integrals_of_any_surface() {
+        let frame = Frame::from_normal(DVec3::new(0.3, -0.2, 0.5), DVec3::new(1.0, 2.0, 3.0), None);
+        let frame = frame.expect("a frame");
+        let surfaces = [
+            NurbsSurface::sphere(frame, 2.0),
+            NurbsSurface::cone(frame, [1.0, 1.0], 3.0),
+            NurbsSurface::cone(frame, [2.0, 0.5], 3.0),
+            NurbsSurface::torus(frame, 3.0, 1.0),
+        ];
+        let plane =
+            Frame::from_normal(frame.point(DVec3::Z * 0.7), DVec3::new(1.0, 0.5, 0.7), None);
+        let cutter = Cutter::Plane(plane.expect("a plane"));
+        let about = DVec3::new(1.0, -2.0, 0.5);
+        for surface in surfaces {
+            let whole = Face::whole(Arc::new(surface.expect("a surface")), Tolerance::DEFAULT);
+            let parts = whole.and_then(|whole| whole.split(&[cutter.clone()], Tolerance::DEFAULT));
+            for part in parts.expect("parts") {
+                let by_areas = AreaAndFlux::by_areas(&part, about).expect("an integral").values;
+                let round =
+                    part.round_area_and_flux(about).expect("an integral").expect("it is round");
+                for (found, told) in round.values.into_iter().zip(by_areas) {
+                    assert!((found - told).abs() < 1e-11 * by_areas[0], "{round:?} {by_areas:?}");
+                }
+            }
         }
     }
 

@@ -192,7 +192,7 @@ impl Face {
         let point = self.plane.point(place);
         let is_near = |arc: &BorderArc| {
             let is_beside = arc.in_plane.bounds().distance(place) <= reach
-                && arc.in_plane.closest(place, distance).distance <= reach;
+                && arc.in_plane.foot_within(place, reach).is_some();
             // At a pole and at the other side of a seam arcs end, whose parameters are far away.
             let ends = [arc.curve.start(), arc.curve.end()];
             is_beside || ends.iter().any(|end| end.distance(point) <= reach)

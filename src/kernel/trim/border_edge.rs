@@ -13,6 +13,9 @@ pub(super) const N_PLACES: usize = 24;
 /// At which fractions of a part of an edge its neighbour is looked for: at the first unless several are there.
 const WITHIN_PART: [f64; 4] = [0.5, 0.1, 0.9, 0.3];
 
+/// Places that are told of an edge that lies in a plane.
+const ALONG_PLANE: [f64; 5] = [0.0, 0.21, 0.5, 0.83, 1.0];
+
 /// The least cosine of the angle between edges that run along one another, and do not just end at one corner.
 const RUN_BESIDE: f64 = 0.9;
 
@@ -163,18 +166,19 @@ impl FaceBorderEdge {
         Ok(parts)
     }
 
-    /// How far a point is from it, and its way at the place that is nearest.
-    fn nearest(&self, point: DVec3, distance: f64) -> (f64, DVec3) {
+    /// How far a point is from it, if no further than a distance, and its way at the place that is nearest.
+    fn nearest(&self, point: DVec3, distance: f64) -> Option<(f64, DVec3)> {
         if self.curve.degree() == 1 && self.curve.control_points().len() == 2 {
             let (start, way) = (self.curve.start(), self.curve.end() - self.curve.start());
             let share = ((point - start).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-            return (norm(start + way * share - point), way);
+            let gap = norm(start + way * share - point);
+            return (gap <= distance).then_some((gap, way));
         }
-        let foot = self.curve.closest(point, distance);
-        (foot.distance, self.curve.derivatives_at(foot.parameter, 1)[1])
+        let (parameter, gap) = self.curve.foot_within(point, distance)?;
+        Some((gap, self.curve.derivatives_at(parameter, 1)[1]))
     }
 
-    /// Where it comes to a plane.
+    /// Where it comes to a plane; of one that lies in it some places.
     pub(crate) fn places_in(&self, plane: Frame, tolerance: Tolerance) -> Vec<DVec3> {
         let height = |point: DVec3| (point - plane.origin()).dot(plane.z());
         let (lowest, highest) = self
@@ -185,6 +189,11 @@ impl FaceBorderEdge {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), h| (a.min(h), b.max(h)));
         if highest < -tolerance.distance || tolerance.distance < lowest {
             return Vec::new();
+        }
+        let points = self.curve.points();
+        if points.iter().all(|&point| height(point).abs() <= tolerance.distance) {
+            let domain = self.curve.domain();
+            return ALONG_PLANE.map(|at| self.curve.point_at(domain.at(at))).to_vec();
         }
         let parameters = self.curve.plane_parameters(plane, tolerance).into_iter();
         let ends = [self.curve.start(), self.curve.end()].into_iter();
@@ -304,8 +313,7 @@ impl<'e> NeighbourSearch<'e> {
         let (edges, reach) = (self.edges, 2.0 * self.distance);
         let mut there = Vec::new();
         for other in self.boxes.beside(point, reach).into_iter().filter(|&i| i != own) {
-            let (gap, way) = edges[other].nearest(point, self.distance);
-            if gap <= reach {
+            if let Some((gap, way)) = edges[other].nearest(point, reach) {
                 there.push(PlaceBeside { other, gap, way, point, along });
             }
         }
@@ -343,7 +351,7 @@ impl<'e> NeighbourSearch<'e> {
         for (_, other) in self.edges.iter().enumerate().filter(|&(i, _)| i != own) {
             let apart = (other.bounds.min - point).max(point - other.bounds.max).max_element();
             if apart <= gap {
-                gap = gap.min(other.nearest(point, self.distance).0);
+                gap = gap.min(other.curve.closest(point, self.distance).distance);
             }
         }
         let n_faces = 1 + self.edges.iter().map(|edge| edge.face).max().unwrap_or(0);

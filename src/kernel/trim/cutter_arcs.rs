@@ -14,6 +14,9 @@ use crate::{
     SurfaceClosestPoint, Tolerance,
 };
 
+/// How many times larger than a face a cutter may be whose equation tells how far places are from it.
+const SIMILAR_SIZE: f64 = 8.0;
+
 impl Face {
     /// The arcs of a cutter in the plane of parameters, over the whole surface.
     pub(super) fn arcs_of(
@@ -77,7 +80,15 @@ impl Face {
             None => found.curves,
         };
         let last_foot = Cell::new(None);
+        // Of what is many times larger an equation has fewer digits than the face.
+        let most = SIMILAR_SIZE * self.plane.surface.bounds().magnitude();
+        let form = other
+            .analytic(limits[0])
+            .filter(|form| form.radius().max(other.bounds().magnitude()) <= most);
         let height = |p: DVec3| {
+            if let Some(form) = form {
+                return form.height(p);
+            }
             let foot = foot_beside(other, p, last_foot.get(), limits[0]);
             last_foot.set(Some(foot.parameters));
             let [u, v] = foot.parameters;

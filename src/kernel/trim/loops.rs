@@ -18,7 +18,8 @@ impl Face {
     /// [`FaceError::OffDomain`] of a curve that leaves the domain, [`FaceError::Open`] of one that does
     /// not close, [`FaceError::BothSides`] where loops contradict one another or run back along
     /// themselves, [`FaceError::Apart`] where they bound several parts, [`FaceError::Nothing`];
-    /// `GeomError::Region` where loops come too near one another.
+    /// [`RegionError::TooSmall`] of one that is one place within the tolerance, other `GeomError::Region` where loops come
+    /// too near one another.
     pub fn within(
         surface: Arc<NurbsSurface>,
         loops: &[NurbsCurve],
@@ -34,6 +35,7 @@ impl Face {
             if distance < gap {
                 return Err(FaceError::Open { index, gap }.into());
             }
+            check_larger(&curve, distance).map_err(whole.in_space())?;
             whole.check_within_domain(&curve, index, distance)?;
             arcs.extend(smooth_arcs(&curve, tolerance.angle)?);
         }
@@ -106,11 +108,23 @@ impl Face {
             GeomError::Picture(PictureError::Crossing { point, .. }) => {
                 FaceError::TouchesItself { point: self.plane.point(point) }.into()
             }
+            GeomError::Region(RegionError::TooSmall { point, tolerance }) => {
+                RegionError::TooSmall { point: self.plane.point(point), tolerance }.into()
+            }
             GeomError::Region(RegionError::Thin { point, width, tolerance }) => {
                 RegionError::Thin { point: self.plane.point(point), width, tolerance }.into()
             }
             other => other,
         }
+    }
+}
+
+/// Fails of a loop that is one place within the tolerance, so that it bounds nothing.
+pub(super) fn check_larger(border: &NurbsCurve, tolerance: f64) -> Result<(), GeomError> {
+    let bounds = border.bounds();
+    match bounds.diagonal() <= tolerance {
+        true => Err(RegionError::TooSmall { point: border.start(), tolerance }.into()),
+        false => Ok(()),
     }
 }
 

@@ -29,7 +29,7 @@ const ALONG_BORDERS: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 const SMALL_PART: f64 = 8.0;
 
 /// A part of a face's parameters.
-enum ParameterPiece<'a> {
+pub(super) enum ParameterPiece<'a> {
     /// Between two u and two v, so many times.
     Rectangle { surface: &'a NurbsSurface, u: Interval, v: Interval, times: f64 },
     /// From a u to a part of an arc.
@@ -38,7 +38,7 @@ enum ParameterPiece<'a> {
 
 /// Where a line of constant second parameter runs over a piece: at which v, from which u, how far, and by what areas are
 /// multiplied.
-struct PieceLine {
+pub(super) struct PieceLine {
     v: f64,
     from: f64,
     width: f64,
@@ -174,8 +174,21 @@ impl Face {
         if self.is_whole() {
             return integral(&Surface::Nurbs(Arc::clone(&self.plane.surface)), kinds, density);
         }
+        let arcs = self.closed_arcs()?;
+        integral_over(
+            &self.parameter_pieces(&arcs)?,
+            far_share(&self.plane.surface),
+            kinds,
+            density,
+        )
+    }
+
+    /// The pieces between knots of what arcs bound.
+    pub(super) fn parameter_pieces<'a>(
+        &'a self,
+        arcs: &'a [NurbsCurve],
+    ) -> Result<Vec<ParameterPiece<'a>>, GeomError> {
         let surface = &*self.plane.surface;
-        let arcs: Vec<NurbsCurve> = self.closed_arcs()?;
         let lines = [surface.knots_u().breaks(), surface.knots_v().breaks()];
         let mut border = Vec::new();
         for (number, arc) in arcs.iter().enumerate() {
@@ -189,12 +202,12 @@ impl Face {
         for (u, v, times) in rectangles(&border, &lines) {
             parts.push(ParameterPiece::Rectangle { surface, u, v, times });
         }
-        integral_over(&parts, far_share(surface), kinds, density)
+        Ok(parts)
     }
 
     /// The arcs of all loops, as curves of parameters; where one begins a little beside the end of the
     /// one before it, with a leg between.
-    fn closed_arcs(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+    pub(super) fn closed_arcs(&self) -> Result<Vec<NurbsCurve>, GeomError> {
         let mut arcs = Vec::new();
         for border in self.parts.iter().flat_map(Region::arcs) {
             let own: Vec<NurbsCurve> =

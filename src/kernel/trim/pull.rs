@@ -31,14 +31,11 @@ const MANY_STOPS: usize = 32;
 /// Even parts of each span of a curve between which jumps are looked for.
 const PARTS: usize = 8;
 
-/// Steps of Newton's method onto a second surface.
-const STEPS: usize = 12;
+/// Reaches of the ends of a piece beyond which what is between them is no part of them.
+const LOOP_REACH: f64 = 4.0;
 
 /// Last bits of where a surface lies that pieces are given at least.
 const PIECE_BITS: f64 = 64.0;
-
-/// Last bits of that which rounding may take of a place where a height vanishes steeply.
-const HEIGHT_BITS: f64 = 8.0;
 
 /// Where a piece is compared between the points that it goes through.
 pub(super) const COMPARED: [f64; 4] = [0.12, 0.36, 0.64, 0.95];
@@ -65,14 +62,14 @@ pub(super) enum ArcParameters {
 pub(super) struct PulledCurve<'a> {
     pub(super) plane: &'a ParameterPlane,
     pub(super) curve: &'a NurbsCurve,
-    height: Option<&'a Height<'a>>,
+    pub(super) height: Option<&'a Height<'a>>,
     what: &'static str,
     index: usize,
     pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
     /// That of the plane.
-    last_bit: f64,
+    pub(super) last_bit: f64,
     parameters: ArcParameters,
 }
 
@@ -158,8 +155,10 @@ impl PulledCurve<'_> {
         t: f64,
         near: DVec3,
     ) -> Result<(DVec3, f64), GeomError> {
-        let place = self.on_side_of(self.foot_beside(t, near)?, near);
-        let (place, rounding) = self.improved(t, place);
+        let (place, rounding) = match self.crossing_near(t, near) {
+            Some(found) => found,
+            None => self.improved(t, self.on_side_of(self.foot_beside(t, near)?, near)),
+        };
         let mut place = self.on_side_of(place, near);
         // At a pole any parameter along it is as good as another: that of what is beside it is taken.
         let point = self.plane.point(place);
@@ -171,57 +170,6 @@ impl PulledCurve<'_> {
             }
         }
         Ok((place, rounding))
-    }
-
-    /// Newton's method from a place to where the height vanishes, across the curve; and how far rounding may
-    /// move that place: the farther, the more flatly the height crosses the surface. Where that is farther
-    /// than pieces may be away, as where the height touches, the place stays.
-    fn improved(&self, t: f64, start: DVec3) -> (DVec3, f64) {
-        let Some(height) = self.height else { return (start, 0.0) };
-        let most = PULL_SHARE * self.tolerance;
-        let mut rounding = 0.0;
-        let derivatives = self.curve.derivatives_at(t, 1);
-        let (center, along) = (derivatives[0], derivatives[1]);
-        let (mut place, begun) = (start, self.plane.point(start));
-        let bounds = self.plane.bounds();
-        for _ in 0..STEPS {
-            let [u, v] = self.plane.parameters(place);
-            let [point, along_u, along_v] = self.plane.surface.tangents_at(u, v);
-            let (value, away) = height(point);
-            let normal = along_u.cross(along_v);
-            let sine = norm(away.cross(normal)) / (norm(away) * norm(normal));
-            rounding = HEIGHT_BITS * self.last_bit / sine;
-            if most < rounding {
-                return (start, most);
-            }
-            let ahead = (point - center).dot(along);
-            let rows =
-                [[away.dot(along_u), away.dot(along_v)], [along.dot(along_u), along.dot(along_v)]];
-            let determinant = rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0];
-            let du = (value * rows[1][1] - ahead * rows[0][1]) / determinant;
-            let dv = (ahead * rows[0][0] - value * rows[1][0]) / determinant;
-            let step = self.plane.place([-du, -dv]);
-            // Near a pole small ways are long ones of the parameters.
-            if !step.is_finite() || MOST_BESIDE * self.tolerance < norm(point - begun) {
-                return (start, 0.0);
-            }
-            place += step;
-            // Over a seam it goes on at the other side.
-            for i in (0..2).filter(|&i| self.plane.is_closed[i]) {
-                let (low, high) = (bounds.min[i], bounds.max[i]);
-                if place[i] < low {
-                    place[i] += high - low;
-                } else if high < place[i] {
-                    place[i] -= high - low;
-                }
-            }
-            place = place.clamp(bounds.min, bounds.max);
-            if norm(step) <= 4.0 * self.last_bit {
-                break;
-            }
-        }
-        // A pole has no normal.
-        (place, if rounding.is_nan() { 0.0 } else { rounding })
     }
 
     /// The stretches between jumps of the parameters.
@@ -330,7 +278,7 @@ impl PulledCurve<'_> {
                 fits = fits && is_near(fraction)?;
             }
             // Where surfaces hardly cross, as beside a junction, places tell no more than the tolerance does.
-            let is_short = norm(last - first) <= STRAIGHT_REACH * self.tolerance;
+            let is_short = self.is_within(interval, [first, last], STRAIGHT_REACH * self.tolerance);
             if !fits && is_short {
                 pieces.push(lagrange(&[first, last], &[interval.start(), interval.end()])?);
             } else if fits || piece.degree() == 1 {
@@ -351,6 +299,15 @@ impl PulledCurve<'_> {
         }
     }
 
+    /// Whether a piece and both of its ends are no further apart than `reach`: of a closed curve the ends alone are.
+    fn is_within(&self, interval: Interval, [first, last]: [DVec3; 2], reach: f64) -> bool {
+        let start = self.curve.point_at(interval.start());
+        let is_beside = |fraction: f64| {
+            norm(self.curve.point_at(interval.at(fraction)) - start) <= LOOP_REACH * reach
+        };
+        norm(last - first) <= reach && COMPARED.into_iter().all(is_beside)
+    }
+
     fn piece(
         &self,
         interval: Interval,
@@ -358,7 +315,7 @@ impl PulledCurve<'_> {
         degree: usize,
     ) -> Result<NurbsCurve, GeomError> {
         // Beside a jump the last digits of a parameter tell where it is.
-        let is_line = norm(last - first) <= PULL_SHARE * self.tolerance;
+        let is_line = self.is_within(interval, [first, last], PULL_SHARE * self.tolerance);
         if is_line || interval.length() <= PARAMETER_RELATIVE * self.curve.domain().length() {
             return lagrange(&[first, last], &[interval.start(), interval.end()]);
         }

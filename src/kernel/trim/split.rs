@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::{
     Face, FaceError,
     division::Division,
+    loops::check_larger,
     pull::{ArcParameters, MOST_BESIDE, arcs_on_surface},
     touch::Undivided,
 };
@@ -66,6 +67,7 @@ impl Face {
             if distance < gap {
                 return Err(FaceError::Open { index, gap }.into());
             }
+            check_larger(curve, distance)?;
             let limits = [distance, tolerance.angle];
             let (named, parameters) = (("loop", index), ArcParameters::Any);
             arcs.extend(arcs_on_surface(&whole.plane, curve, None, named, limits, parameters)?);

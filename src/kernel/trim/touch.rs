@@ -35,8 +35,7 @@ impl Touches {
     fn line_at(&self, point: DVec3, distance: f64) -> Option<&NurbsCurve> {
         let reach = MOST_BESIDE * distance;
         self.lines.iter().find(|line| {
-            line.bounds().distance(point) <= reach
-                && line.closest(point, distance).distance <= reach
+            line.bounds().distance(point) <= reach && line.foot_within(point, reach).is_some()
         })
     }
 }

@@ -23,6 +23,9 @@ impl NurbsCurve {
     /// The inner parameters at which the curve jumps, each with the distance of both sides.
     #[must_use]
     pub fn jumps(&self) -> Vec<(f64, f64)> {
+        if !self.knots.has_inner_full_break() {
+            return Vec::new();
+        }
         let domain = self.domain();
         let rounding = MOST_ROUNDINGS * LAST_BIT * self.magnitude();
         let full = self.knots.full_breaks();

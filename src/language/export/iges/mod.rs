@@ -8,6 +8,8 @@ mod record;
 
 use std::io::Write;
 
+use glam::DVec3;
+
 use self::record::{Cards, Entity};
 use super::{
     ExportError, Format, Item, Job, Subject, Summary,
@@ -15,7 +17,7 @@ use super::{
     options::TOLERANCE,
     unique_values::UniqueValues,
 };
-use crate::kernel::{Bounds, FaceEdge, NurbsCurve, NurbsSurface};
+use crate::kernel::{Bounds, FaceEdge, FaceError, NurbsCurve, NurbsSurface};
 
 pub(super) static FORMAT: Format = Format {
     ending: "igs",
@@ -55,6 +57,9 @@ fn write(job: &Job, out: &mut dyn Write) -> Result<Summary, ExportError> {
                 Exact::Face(surface, parts) => {
                     let carrier = cards.add(dependent(surface_entity(&surface)));
                     for loops in parts {
+                        if let Some(point) = touch(&surface, &loops, job.precision) {
+                            return Err(touching(item, point));
+                        }
                         looks.add(item, trimmed(carrier, &loops, &mut cards), &mut cards);
                     }
                     continue;
@@ -170,6 +175,41 @@ fn trimmed(carrier: usize, loops: &[Vec<FaceEdge>], cards: &mut Cards) -> Entity
     entity.int(loops.len() - 1);
     loops.into_iter().for_each(|boundary| entity.int(boundary));
     entity
+}
+
+/// A place in which two loops touch: both have a vertex there, on the same side of a seam.
+fn touch(surface: &NurbsSurface, loops: &[Vec<FaceEdge>], precision: f64) -> Option<DVec3> {
+    let vertices = loops.iter().enumerate().flat_map(|(number, edges)| {
+        let with_place = edges.iter().filter(|edge| edge.curve.is_some());
+        with_place.map(move |edge| {
+            let place = edge.parameters.start();
+            (surface.point_at(place.x, place.y), place, number)
+        })
+    });
+    let mut vertices: Vec<(DVec3, DVec3, usize)> = vertices.collect();
+    vertices.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
+    let half = [surface.domain_u(), surface.domain_v()].map(|domain| 0.5 * domain.length());
+    vertices.iter().enumerate().find_map(|(i, &(point, place, number))| {
+        let mut beside =
+            vertices[i + 1..].iter().take_while(|other| other.0.x <= point.x + precision);
+        let is_touch = |&(other, its, its_number): &(DVec3, DVec3, usize)| {
+            let apart = (its - place).abs();
+            its_number != number
+                && other.distance(point) <= precision
+                && apart.x < half[0]
+                && apart.y < half[1]
+        };
+        beside.any(is_touch).then_some(point)
+    })
+}
+
+/// The format keeps loops apart: each has vertices of its own, so that those that touch would cross for whoever reads them.
+fn touching(item: &Item, point: DVec3) -> ExportError {
+    let touches = FaceError::TouchesItself { point };
+    let problem = format!(
+        "cannot be written as .igs: {touches}, where it would cross itself; write .step, or move one of its loops by more than the tolerance"
+    );
+    ExportError::Unfit { name: item.name.clone(), problem }
 }
 
 /// Curves that follow one another, as one (102).

@@ -19,7 +19,7 @@ use crate::{
 const AXIS_SHARE: f64 = 0.1 * CONTACT_SHARE;
 
 /// Surfaces that keep within so many tolerances of one another where they cross, or all but do, run together.
-const LEAST_DEPTH: f64 = 4.0;
+pub(super) const LEAST_DEPTH: f64 = 4.0;
 
 /// Part of the tolerance by which meridians that touch may miss one another.
 const TOUCH_SHARE: f64 = 0.1 * CONTACT_SHARE;
@@ -132,18 +132,11 @@ impl NurbsSurface {
 
     /// Whether it goes all around an axis: along one of its parameters, or as a sphere with both of its poles.
     fn turns_fully(&self, axis: Frame, distance: f64) -> bool {
-        let is_closed = [self.is_closed_u(distance), self.is_closed_v(distance)];
-        let is_point = |edge: NurbsCurve| edge.bounds().diagonal() <= distance;
-        let [start_u, end_u, start_v, end_v] = self.edges();
         let is_sphere = matches!(
             self.analytic(distance).map(|found| found.form),
             Some(AnalyticForm::Sphere { .. })
         );
-        let has_poles = [
-            is_closed[1] && is_point(start_u) && is_point(end_u),
-            is_closed[0] && is_point(start_v) && is_point(end_v),
-        ];
-        is_sphere && has_poles.contains(&true) || self.direction_around(axis, distance).is_some()
+        is_sphere && has_poles(self, distance) || self.direction_around(axis, distance).is_some()
     }
 
     /// The direction along which it goes all around an axis, if along one.
@@ -215,6 +208,15 @@ impl NurbsSurface {
         let across = normal(self)?.cross(normal(other)?);
         Some(if across.dot(derivatives[1]) < 0.0 { curve.reversed() } else { curve })
     }
+}
+
+/// Whether a surface is closed along one of its parameters, and narrows to points at both ends of the other.
+pub(super) fn has_poles(surface: &NurbsSurface, distance: f64) -> bool {
+    let is_closed = [surface.is_closed_u(distance), surface.is_closed_v(distance)];
+    let is_point = |edge: NurbsCurve| edge.bounds().diagonal() <= distance;
+    let [start_u, end_u, start_v, end_v] = surface.edges();
+    is_closed[1] && is_point(start_u) && is_point(end_u)
+        || is_closed[0] && is_point(start_v) && is_point(end_v)
 }
 
 /// Whether a circle in the plane of a convex quadrilateral crosses none of its sides and passes none nearby.

@@ -214,7 +214,7 @@ impl ConicSearch<'_> {
             intervals.flat_map(|interval: Interval| COMPARED.map(|at| interval.at(at)));
         places.all(|t| {
             let point = curve.point_at(t);
-            self.found.closest(point, self.tolerance).distance <= self.tolerance
+            self.found.foot_within(point, self.tolerance).is_some()
         })
     }
 }

@@ -14,6 +14,7 @@
 //! `chart` has the parameters that files give them.
 
 mod apart;
+mod ball;
 mod carrier;
 mod chart;
 mod coaxial;
@@ -27,11 +28,12 @@ mod revolved;
 pub use chart::AnalyticChart;
 pub use quadric::QuadricKind;
 
-use glam::DVec4;
+use glam::{DVec3, DVec4};
 
 use crate::{
     Direction, Frame, Grid, bezier,
     ceiling::{QUADRIC_WORK, SIGN_HALVINGS},
+    frame::norm,
     surface::{NurbsSurface, intersection::square::range},
     tolerance::{ANALYTIC_RELATIVE, SIGN_RELATIVE},
 };
@@ -101,6 +103,42 @@ pub struct AnalyticSurface {
     pub is_outward: bool,
 }
 
+impl AnalyticSurface {
+    /// The largest of its radii; zero of a plane.
+    pub(crate) fn radius(&self) -> f64 {
+        match self.form {
+            AnalyticForm::Plane => 0.0,
+            AnalyticForm::Cylinder { radius }
+            | AnalyticForm::Cone { radius, .. }
+            | AnalyticForm::Sphere { radius } => radius,
+            AnalyticForm::Torus { major, .. } => major,
+        }
+    }
+
+    /// How far a point is from all of what the equation describes, signed, and the direction that leads away from it;
+    /// no numbers where there is none, as on an axis.
+    pub(crate) fn height(&self, point: DVec3) -> (f64, DVec3) {
+        let (axis, way) = (self.frame.z(), point - self.frame.origin());
+        let along = way.dot(axis);
+        let out = way - axis * along;
+        let away = norm(out);
+        match self.form {
+            AnalyticForm::Plane => (along, axis),
+            AnalyticForm::Cylinder { radius } => (away - radius, out / away),
+            AnalyticForm::Cone { radius, half_angle } => {
+                let (sine, cosine) = libm::sincos(half_angle);
+                let height = (away - radius) * cosine - along * sine;
+                (height, out * (cosine / away) - axis * sine)
+            }
+            AnalyticForm::Sphere { radius } => (norm(way) - radius, way / norm(way)),
+            AnalyticForm::Torus { major, minor } => {
+                let from_tube = out * (1.0 - major / away) + axis * along;
+                (norm(from_tube) - minor, from_tube / norm(from_tube))
+            }
+        }
+    }
+}
+
 impl NurbsSurface {
     /// The plane, cylinder, cone, sphere or torus that it is a part of up to rounding.
     ///
@@ -111,6 +149,15 @@ impl NurbsSurface {
     /// `distance` of one another are taken for one, and are one up to rounding then.
     #[must_use]
     pub fn analytic(&self, distance: f64) -> Option<AnalyticSurface> {
+        let (known_for, known) =
+            self.analytic.get_or_make(|| (distance, self.found_analytic(distance)));
+        match known_for.to_bits() == distance.to_bits() {
+            true => *known,
+            false => self.found_analytic(distance),
+        }
+    }
+
+    fn found_analytic(&self, distance: f64) -> Option<AnalyticSurface> {
         let has_points = 0 < self.degree_u() && 0 < self.degree_v();
         let ([n, m], order) = (self.n_patches(), (self.degree_u() + 1) * (self.degree_v() + 1));
         if QUADRIC_WORK < n.saturating_mul(m).saturating_mul(order * order) {

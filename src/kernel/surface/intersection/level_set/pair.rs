@@ -1,12 +1,16 @@
 //! Parts of two surfaces in search of one another: boxes, slabs, and cones of normals.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, OnceLock},
+};
 
 use glam::{DVec3, DVec4};
 
 use super::{shade, square};
 use crate::{
     Bounds, Direction, Grid, Interval, NurbsSurface, Side,
+    ceiling::KEPT_COEFFICIENTS,
     frame::{unit, widest_angle},
     homogeneous,
     surface::Edge,
@@ -33,7 +37,15 @@ pub(in crate::surface) struct SurfacePart {
     normals: Grid<DVec3>,
     places: Grid<DVec3>,
     pub(super) bounds: Bounds,
-    /// All normals are within the angle of the axis.
+    /// Known once it was asked for: boxes keep most parts apart.
+    cone: OnceLock<NormalCone>,
+    /// Its halves where they were kept: it may be near to several parts.
+    kept_halves: OnceLock<[Arc<SurfacePart>; 2]>,
+}
+
+/// All normals are within the angle of the axis.
+#[derive(Clone, Copy, Debug)]
+struct NormalCone {
     axis: DVec3,
     angle: f64,
 }
@@ -94,13 +106,21 @@ impl SurfacePart {
         let places = net.map(|&point| homogeneous::place(point));
         let nothing = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
         let bounds = Bounds::of(places.iter().copied()).unwrap_or(nothing);
-        let units: Vec<DVec3> = normals.iter().filter_map(|&normal| unit(normal)).collect();
-        let axis = unit(units.iter().sum()).unwrap_or(DVec3::ZERO);
-        let angle = match axis == DVec3::ZERO {
-            true => std::f64::consts::PI,
-            false => widest_angle(units.into_iter(), axis),
-        };
-        Self { low, high, net, normals, places, bounds, axis, angle }
+        let (cone, kept_halves) = (OnceLock::new(), OnceLock::new());
+        Self { low, high, net, normals, places, bounds, cone, kept_halves }
+    }
+
+    fn cone(&self) -> NormalCone {
+        *self.cone.get_or_init(|| {
+            let units: Vec<DVec3> =
+                self.normals.iter().filter_map(|&normal| unit(normal)).collect();
+            let axis = unit(units.iter().sum()).unwrap_or(DVec3::ZERO);
+            let angle = match axis == DVec3::ZERO {
+                true => std::f64::consts::PI,
+                false => widest_angle(units.into_iter(), axis),
+            };
+            NormalCone { axis, angle }
+        })
     }
 
     pub(super) fn middle(&self) -> [f64; 2] {
@@ -121,6 +141,19 @@ impl SurfacePart {
             Self::new(ends[0].0, ends[0].1, first, before),
             Self::new(ends[1].0, ends[1].1, second, behind),
         ]
+    }
+
+    /// The same, kept for when they are asked for again, unless more than [`KEPT_COEFFICIENTS`] are, whose number goes up.
+    pub(super) fn shared_halves(&self, n_kept: &mut usize) -> [Arc<Self>; 2] {
+        if let Some(kept) = self.kept_halves.get() {
+            return kept.clone();
+        }
+        let halves = self.halves().map(Arc::new);
+        if *n_kept < KEPT_COEFFICIENTS && self.kept_halves.set(halves.clone()).is_ok() {
+            let n_own = [self.net.as_slice().len(), self.places.as_slice().len()];
+            *n_kept += 2 * (n_own.iter().sum::<usize>() + self.normals.as_slice().len());
+        }
+        halves
     }
 
     /// The steps along one of its sides.
@@ -156,8 +189,9 @@ impl SurfacePart {
 
     /// How thick the slab across its axis is.
     pub(super) fn thickness(&self) -> f64 {
-        let [least, most] = self.reach(self.axis);
-        if self.axis == DVec3::ZERO { self.bounds.diagonal() } else { most - least }
+        let NormalCone { axis, .. } = self.cone();
+        let [least, most] = self.reach(axis);
+        if axis == DVec3::ZERO { self.bounds.diagonal() } else { most - least }
     }
 
     /// Whether it is further than a distance from points, told by boxes and by slabs.
@@ -165,8 +199,9 @@ impl SurfacePart {
         if !self.bounds.is_near(bounds, distance) {
             return true;
         }
-        let [least, most] = self.reach(self.axis);
-        let heights = || points.iter().map(|point| point.dot(self.axis));
+        let NormalCone { axis, .. } = self.cone();
+        let [least, most] = self.reach(axis);
+        let heights = || points.iter().map(|point| point.dot(axis));
         heights().fold(f64::NEG_INFINITY, f64::max) < least - distance
             || most + distance < heights().fold(f64::INFINITY, f64::min)
     }
@@ -179,19 +214,21 @@ impl SurfacePart {
 
     /// Whether two parts cross in at most one arc, and never against its direction.
     pub(super) fn crosses_clearly(&self, other: &Self) -> bool {
-        let spread = self.angle + other.angle + self.rounding_beside(other);
-        spread < CLEAR * self.axis.cross(other.axis).length()
+        let [own, its] = [self.cone(), other.cone()];
+        let spread = own.angle + its.angle + self.rounding_beside(other);
+        spread < CLEAR * own.axis.cross(its.axis).length()
     }
 
     /// Whether its normals are all on one side of a plane, so that it does not turn over.
     pub(in crate::surface) fn is_regular(&self) -> bool {
-        self.angle < std::f64::consts::FRAC_PI_2
+        self.cone().angle < std::f64::consts::FRAC_PI_2
     }
 
     /// Whether normals of both may be parallel, and little else.
     pub(super) fn may_touch(&self, other: &Self) -> bool {
-        let between = libm::asin(self.axis.cross(other.axis).length().min(1.0));
-        let spread = self.angle + other.angle;
+        let [own, its] = [self.cone(), other.cone()];
+        let between = libm::asin(own.axis.cross(its.axis).length().min(1.0));
+        let spread = own.angle + its.angle;
         spread <= FLAT_ENOUGH && between <= spread + self.rounding_beside(other)
     }
 
@@ -211,7 +248,8 @@ impl SurfacePart {
 
     /// Whether directions within an angle of another stay clear of its tangent planes.
     pub(super) fn is_crossed_by(&self, direction: DVec3, angle: f64) -> bool {
-        angle + self.angle < libm::asin(direction.dot(self.axis).abs().min(1.0)) - CONE_CLEARANCE
+        let own = self.cone();
+        angle + own.angle < libm::asin(direction.dot(own.axis).abs().min(1.0)) - CONE_CLEARANCE
     }
 
     pub(super) fn holds(&self, at: [f64; 2]) -> bool {

@@ -52,7 +52,8 @@ impl NurbsSurface {
             return self.told_here(near.section(plane, tolerance));
         }
         let distance = self.line_tolerance(tolerance)?;
-        if let Some(curves) = self.circles_across(plane, distance) {
+        let circle = self.circle_of_ball(plane, distance).map(|circle| vec![circle]);
+        if let Some(curves) = circle.or_else(|| self.circles_across(plane, distance)) {
             return Ok(LevelSet { curves, ..LevelSet::default() });
         }
         let mut found = self.lines_in(plane, distance, tolerance)?;

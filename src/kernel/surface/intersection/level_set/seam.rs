@@ -131,7 +131,7 @@ impl EdgeOverlap {
 
     /// Whether a point is on it.
     pub(super) fn holds(&self, point: DVec3, distance: f64) -> bool {
-        self.curve.closest(point, distance).distance <= distance
+        self.curve.foot_within(point, distance).is_some()
     }
 }
 
@@ -166,7 +166,7 @@ fn common(
     if !mine.is_near(its, distance) || mine.diagonal() <= distance || its.diagonal() <= distance {
         return Ok(None);
     }
-    let is_near = |t: f64| other.closest(curve.point_at(t), distance).distance <= distance;
+    let is_near = |t: f64| other.foot_within(curve.point_at(t), distance).is_some();
     let domain = curve.domain();
     let feet = [other.start(), other.end()].map(|end| curve.closest(end, distance));
     let mut ends: Vec<f64> = feet

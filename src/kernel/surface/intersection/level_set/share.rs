@@ -86,7 +86,7 @@ impl SharedParts {
         let [mut firsts, mut seconds] = crossing.surfaces.map(SurfacePatches::new);
         let mut todo = firsts.pairs(&mut seconds, near);
         let mut contacts: Vec<(Bounds, [f64; 4])> = Vec::new();
-        let mut n_pairs = 0;
+        let (mut n_pairs, mut n_kept) = (0, 0);
         while let Some([a, b]) = todo.pop() {
             GeomError::go_on(1)?;
             n_pairs += 1;
@@ -100,7 +100,7 @@ impl SharedParts {
             if beside().next().is_some()
                 && crossing.touch_size() < a.bounds.union(b.bounds).diagonal()
             {
-                todo.extend(halved([a, b], near));
+                todo.extend(halved([a, b], near, &mut n_kept));
             } else if a.crosses_clearly(&b) {
                 self.clear.push([a, b]);
             } else if a.may_touch(&b) && self.add_contact(crossing, &a, &b, seams)? {
@@ -110,7 +110,7 @@ impl SharedParts {
             {
                 contacts.push((a.bounds.union(b.bounds), middle(&a, &b)));
             } else {
-                todo.extend(halved([a, b], near));
+                todo.extend(halved([a, b], near, &mut n_kept));
             }
         }
         self.ends.spots = spots(crossing, contacts)?;
@@ -192,14 +192,18 @@ pub(super) fn middle(a: &SurfacePart, b: &SurfacePart) -> [f64; 4] {
     [u, v, s, t]
 }
 
-/// A pair with its larger part in halves, those that are near.
-pub(super) fn halved([a, b]: [Arc<SurfacePart>; 2], near: f64) -> Vec<[Arc<SurfacePart>; 2]> {
+/// A pair with its larger part in halves, those that are near; so many coefficients of parts are kept.
+pub(super) fn halved(
+    [a, b]: [Arc<SurfacePart>; 2],
+    near: f64,
+    n_kept: &mut usize,
+) -> impl Iterator<Item = [Arc<SurfacePart>; 2]> {
     let pairs = if b.bounds.diagonal() <= a.bounds.diagonal() {
-        a.halves().map(|half| [Arc::new(half), Arc::clone(&b)])
+        a.shared_halves(n_kept).map(|half| [half, Arc::clone(&b)])
     } else {
-        b.halves().map(|half| [Arc::clone(&a), Arc::new(half)])
+        b.shared_halves(n_kept).map(|half| [Arc::clone(&a), half])
     };
-    pairs.into_iter().filter(|[a, b]| !a.is_apart(b, near)).collect()
+    pairs.into_iter().filter(move |[a, b]| !a.is_apart(b, near))
 }
 
 /// The places of contacts that hang together.

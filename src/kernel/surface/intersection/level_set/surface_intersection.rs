@@ -341,7 +341,7 @@ fn arcs(
     // Where normals are nearly parallel parts of a tolerance are a long way.
     let near = crossing.rounding;
     let mut todo = pairs;
-    let mut n_pairs = 0;
+    let (mut n_pairs, mut n_kept) = (0, 0);
     while work::goes_on(1)
         && let Some(pair) = todo.pop()
     {
@@ -353,14 +353,14 @@ fn arcs(
         let size = a.bounds.diagonal().max(b.bounds.diagonal());
         let Some(place) = common(crossing, &pair) else {
             if crossing.tolerance < size {
-                todo.extend(halved(pair, near));
+                todo.extend(halved(pair, near, &mut n_kept));
             }
             continue;
         };
         if crossing.is_collapsed(place.point) {
             // From there no curve can be followed.
             if crossing.tolerance < size {
-                todo.extend(halved(pair, near));
+                todo.extend(halved(pair, near, &mut n_kept));
             }
             continue;
         }
@@ -382,7 +382,7 @@ fn arcs(
             run.start() != run.end() && (is_here(run.start()) || is_here(run.end()))
         });
         if ends_here && crossing.tolerance < size {
-            todo.extend(halved(pair, near));
+            todo.extend(halved(pair, near, &mut n_kept));
         }
     }
     Ok(())

@@ -103,7 +103,7 @@ pub(super) fn without_crumbs(curves: Vec<NurbsCurve>, tolerance: f64) -> Vec<Nur
         let around = other.bounds();
         crumb.domain().steps(N_PLACES).into_iter().all(|t| {
             let point = crumb.point_at(t);
-            let is_near = || other.closest(point, tolerance).distance <= tolerance;
+            let is_near = || other.foot_within(point, tolerance).is_some();
             around.contains(point, tolerance) && is_near()
         })
     };
@@ -203,7 +203,7 @@ fn stands_once<'c>(
     let ends = curve.domain().steps(N_PLACES + 1);
     let places: Vec<DVec3> = ends[1..=N_PLACES].iter().map(|&t| curve.point_at(t)).collect();
     let is_of = |other: &NurbsCurve, around: Bounds, point: DVec3| {
-        around.contains(point, tolerance) && other.closest(point, tolerance).distance <= tolerance
+        around.contains(point, tolerance) && other.foot_within(point, tolerance).is_some()
     };
     let told_twice = |mut shared: Vec<DVec3>| match shared.len() {
         LEAST_SHARED.. => Err(PictureError::ToldTwice { point: shared.swap_remove(0) }.into()),
@@ -244,7 +244,7 @@ fn ends_are_ends(
             meeting.surfaces().iter().flat_map(|surface| borders_of(surface, tolerance)).collect()
         });
         let is_at_border = borders.iter().any(|border| {
-            border.bounds().contains(end, near) && border.closest(end, tolerance).distance <= near
+            border.bounds().contains(end, near) && border.foot_within(end, near).is_some()
         });
         let is_at_tip = || meeting.surfaces().iter().any(|surface| is_tip(surface, end, tolerance));
         if !(is_at_border || is_at_tip() && meeting.touches_along(curve)) {
