@@ -253,3 +253,69 @@ fn a_turned_vertex_with_a_normal_turns_its_normal() {
         assert!(corners.iter().all(|&i| turned.normals()[i as usize] == normal));
     }
 }
+
+#[test]
+fn plates_balance_in_the_mean_of_their_middles_weighed_by_area() {
+    // Two plates of areas 3 and 2 with their middles in (11/3, 2, 2) and (10, 2/3, 2/3).
+    let vertices = [
+        [3.0, 1.0, 2.0],
+        [5.0, 1.0, 2.0],
+        [3.0, 4.0, 2.0],
+        [10.0, 0.0, 0.0],
+        [10.0, 2.0, 0.0],
+        [10.0, 0.0, 2.0],
+    ];
+    let expected = DVec3::new(31.0, 22.0 / 3.0, 22.0 / 3.0) / 5.0;
+    for (size, shift) in [(1.0, 0.0), (1e-3, 1e3), (1e200, 0.0), (1e-200, 0.0)] {
+        let vertices = vertices.map(|place| place.map(|x| shift + size * x));
+        let plates = mesh(&vertices, &[[0, 1, 2], [3, 4, 5]]);
+        let found = (plates.area_centroid().unwrap() - shift) / size;
+        assert!(found.distance(expected) < 1e-9, "{found} at {size}");
+    }
+}
+
+/// A cube of two triangles a side, which faces outward.
+fn cube() -> Mesh {
+    let corner = |i: usize| [i & 1, i >> 1 & 1, i >> 2].map(|x| x as f64);
+    let vertices: Vec<[f64; 3]> = (0..8).map(corner).collect();
+    let sides =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let triangles: Vec<[u32; 3]> =
+        sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+    mesh(&vertices, &triangles)
+}
+
+#[test]
+fn a_cube_has_twelve_edges_and_eighteen_with_its_diagonals() {
+    assert!((cube().volume() - 1.0).abs() < 1e-15);
+    let lengths = |mesh: &Mesh| -> Vec<usize> {
+        let squared = |[a, b]: [u32; 2]| {
+            let [a, b] = [a, b].map(|idx| mesh.vertices()[idx as usize]);
+            a.distance_squared(b) as usize
+        };
+        mesh.face_edges().into_iter().map(squared).collect()
+    };
+    assert_eq!(lengths(&cube().with_faces(vec![2; 6]).unwrap()), [1; 12]);
+    let all = lengths(&cube());
+    assert_eq!([1, 2].map(|of| all.iter().filter(|&&squared| squared == of).count()), [12, 6]);
+}
+
+#[test]
+fn a_face_that_is_turned_as_a_whole_stays_one() {
+    let squares = cube().with_faces(vec![2; 6]).unwrap();
+    let sizes = |mesh: &Mesh| -> Vec<usize> { mesh.faces().map(|corners| corners.len()).collect() };
+    for side in 0..6 {
+        let of_side = |i: usize| i / 2 == side;
+        let turned = squares.with_turned(&(0..12).map(of_side).collect::<Vec<bool>>());
+        assert_eq!(sizes(&turned), [4; 6], "{side}");
+        assert_eq!(turned.face_edges(), squares.face_edges(), "{side}");
+        // A cube without a side, with as much taken away as the side's pyramid about the origin.
+        let pyramid = if side % 2 == 1 { 1.0 / 3.0 } else { 0.0 };
+        assert!((turned.volume() - (1.0 - 2.0 * pyramid)).abs() < 1e-15, "{side}");
+        // One triangle turned leaves two faces.
+        let torn = squares.with_turned(&(0..12).map(|i| i == 2 * side).collect::<Vec<bool>>());
+        let expected: Vec<usize> =
+            (0..6).flat_map(|i| if i == side { vec![3, 3] } else { vec![4] }).collect();
+        assert_eq!(sizes(&torn), expected, "{side}");
+    }
+}

@@ -155,3 +155,52 @@ fn what_overflows_is_no_point() {
         Err(GeomError::Local(LocalError::BeyondNumbers { order: 0, parameter: 0.0 }))
     );
 }
+
+#[test]
+fn curves_and_surfaces_are_equal_where_function_domain_and_place_are() {
+    let (function, other): (Arc<dyn CurveFunction>, Arc<dyn CurveFunction>) =
+        (Arc::new(Helix), Arc::new(Helix));
+    let domain = |end: f64| Interval::new(0.0, end).unwrap();
+    let curve = |end: f64, function: &Arc<dyn CurveFunction>| {
+        ParametricCurve::new(domain(end), Arc::clone(function)).unwrap()
+    };
+    let shift = DAffine3::from_translation(DVec3::X);
+    assert!(curve(1.0, &function) == curve(1.0, &function));
+    assert!(curve(1.0, &function) != curve(2.0, &function));
+    assert!(curve(1.0, &function) != curve(1.0, &other));
+    assert!(curve(1.0, &function) != curve(1.0, &function).transformed(&shift));
+
+    let (function, other): (Arc<dyn SurfaceFunction>, Arc<dyn SurfaceFunction>) =
+        (Arc::new(Sphere), Arc::new(Sphere));
+    let surface = |[u, v]: [f64; 2], function: &Arc<dyn SurfaceFunction>| {
+        ParametricSurface::new(domain(u), domain(v), Arc::clone(function)).unwrap()
+    };
+    let whole = surface([1.0, 1.0], &function);
+    assert!(whole == surface([1.0, 1.0], &function));
+    assert!(whole != surface([2.0, 1.0], &function));
+    assert!(whole != surface([1.0, 1.5], &function));
+    assert!(whole != surface([1.0, 1.0], &other));
+    assert!(whole != whole.transformed(&shift).unwrap());
+}
+
+#[test]
+fn a_surface_is_smooth_around_what_lies_within_its_four_sides() {
+    let sphere = sphere();
+    assert!(sphere.is_smooth_around(1.0, 0.5));
+    for (u, v) in [(0.0, 0.5), (TAU, 0.5), (1.0, -FRAC_PI_2), (1.0, FRAC_PI_2)] {
+        assert!(!sphere.is_smooth_around(u, v), "({u}, {v})");
+    }
+}
+
+#[test]
+fn the_nearest_point_of_a_sphere_is_towards_the_place_at_every_size() {
+    for size in [1e-200, 1e-3, 1.0, 1e3, 1e200] {
+        let Surface::Parametric(sphere) = sphere() else { unreachable!("it is a function") };
+        let map = DAffine3::from_scale(DVec3::splat(size));
+        let sphere = sphere.transformed(&map).unwrap();
+        // Of 7 times (2, 3, 6) / 7 from the middle.
+        let found = sphere.closest(DVec3::new(2.0, 3.0, 6.0) * size).unwrap();
+        near(found.point / size, DVec3::new(2.0, 3.0, 6.0) / 7.0);
+        assert!((found.distance / size - 6.0).abs() < 1e-12, "{size:e}");
+    }
+}

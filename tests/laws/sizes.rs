@@ -3,7 +3,8 @@
 
 use glam::{DAffine3, DVec3};
 use virote_kernel::{
-    Curve, Frame, GeomError, Grid, MeasureError, NurbsCurve, NurbsSurface, Side, Surface, Tolerance,
+    Curve, DomainError, Frame, GeomError, Grid, MeasureError, NurbsCurve, NurbsSurface, Side,
+    Surface, Tolerance,
 };
 
 const SIZES: [f64; 8] = [1e-300, 1e-150, 1e-40, 1e-3, 1e3, 1e40, 1e150, 1e300];
@@ -210,5 +211,23 @@ fn a_line_pierces_what_is_large_for_its_tolerance() {
         assert_eq!(found.len(), 2, "{size:e}: {found:?}");
         let x = f64::sqrt(1.0 - 0.01) * size;
         assert!((found[1].point.x / x - 1.0).abs() < 1e-14, "{size:e}: {found:?}");
+    }
+}
+
+#[test]
+fn a_length_beyond_a_curve_is_refused_with_that_of_the_whole_at_every_size() {
+    for size in SIZES {
+        // Three sides of a triangle of 3, 4 and 5.
+        let corners = [[0.0, 0.0], [3.0, 0.0], [3.0, 4.0], [0.0, 0.0]];
+        let corners = corners.map(|[x, y]| DVec3::new(x, y, 0.0) * size);
+        let curve = NurbsCurve::polyline(&corners).unwrap();
+        let there = curve.point_at(curve.parameter_at_length(5.0 * size).unwrap());
+        assert!((there / size).distance(DVec3::new(3.0, 2.0, 0.0)) < 1e-12, "{size:e}");
+        match curve.parameter_at_length(13.0 * size) {
+            Err(GeomError::Domain(DomainError::LengthOutside { got, total })) => {
+                assert!(agree(got / size, 13.0) && agree(total / size, 12.0), "{size:e}");
+            }
+            other => panic!("{other:?} at {size:e}"),
+        }
     }
 }

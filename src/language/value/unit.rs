@@ -207,6 +207,16 @@ mod tests {
     }
 
     #[test]
+    fn what_is_shown_in_a_unit_has_the_digits_that_were_written_in_it() {
+        for (text, value) in [("in", 0.1), ("ft", 3.7), ("deg", 12.3), ("m^2", 1e-7), ("1/in", 0.3)]
+        {
+            let unit = UnitText::read(text, "mm").expect("it is a unit");
+            let shown = unit.shortest_in(unit.convert(value));
+            assert_eq!(shown.to_bits(), f64::to_bits(value), "{shown} {text}");
+        }
+    }
+
+    #[test]
     fn powers_convert_by_their_power() {
         let convert = |text: &str, value: f64| {
             UnitText::read(text, "mm").map(|unit| {
@@ -218,6 +228,12 @@ mod tests {
         };
         assert_eq!(convert("cm^2", 2.0), Some(((12, 0), 200.0)));
         assert_eq!(convert("m³", 1.0), Some(((18, 0), 1e9)));
+        assert_eq!(convert("cm²", 2.0), Some(((12, 0), 200.0)));
+        let (powers, root) = convert("m^(1/3)", 2.0).expect("it is a unit");
+        assert_eq!(powers, (2, 0));
+        assert!((root - 20.0).abs() <= 40.0 * f64::EPSILON);
+        assert_eq!(convert("m^(-2)", 4.0), Some(((-12, 0), 4e-6)));
+        assert_eq!(convert("cm*m/m^2", 3.0), Some(((0, 0), 0.03)));
         assert_eq!(convert("1/m", 5.0), Some(((-6, 0), 0.005)));
         let (powers, turn) = convert("deg/mm", 180.0).expect("it is a unit");
         assert_eq!(powers, (-6, 6));

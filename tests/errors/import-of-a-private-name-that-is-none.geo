@@ -1,0 +1,2 @@
+import "lib/naca.geo" (foil, _none)
+print foil(1)
