@@ -96,7 +96,7 @@ where
         if self.is_unproven {
             return Ok(false);
         }
-        self.leaves_along_kinks(&planes)
+        Ok(self.leaves_along_kinks(&planes)? || self.leaves_between_planes(planes)?)
     }
 
     /// Goes along a way to a place that is lower, as far as it is lower and lower twice as far each time.

@@ -34,6 +34,7 @@ mod least_model;
 mod least_newton;
 pub(crate) mod least_pole;
 pub(crate) mod least_problem;
+mod least_rays;
 mod least_rounds;
 mod least_search;
 pub(crate) mod least_squares;

@@ -15,7 +15,13 @@ use crate::{
 
 impl Caller for Machine<'_> {
     fn call(&mut self, function: &Value, args: Vec<Value>, span: Span) -> Result<Value> {
-        self.apply(function, args, span)
+        let had_varying_texts = self.has_varying_texts;
+        let found = self.apply(function, args, span);
+        // Whoever differentiates asks for no texts.
+        if !found.as_ref().is_ok_and(may_hold_text) {
+            self.has_varying_texts = had_varying_texts;
+        }
+        found
     }
 
     fn comparisons(
@@ -24,7 +30,10 @@ impl Caller for Machine<'_> {
         args: &[Value],
         span: Span,
     ) -> Result<Vec<Comparison>> {
-        Machine::comparisons(self, function, args, span)
+        let had_varying_texts = self.has_varying_texts;
+        let found = Machine::comparisons(self, function, args, span);
+        self.has_varying_texts = had_varying_texts;
+        found
     }
 
     fn bounded(&self, function: &Value) -> Option<Box<dyn Bounded>> {
@@ -51,6 +60,14 @@ impl Caller for Machine<'_> {
         std::mem::replace(&mut self.switches, noted)
     }
 
+    fn made_varying_text(&mut self) {
+        self.has_varying_texts = true;
+    }
+
+    fn has_varying_texts(&self) -> bool {
+        self.has_varying_texts
+    }
+
     fn warn(&mut self, warning: Diagnostic) {
         self.warnings.push(warning);
     }
@@ -61,5 +78,14 @@ impl Caller for Machine<'_> {
 
     fn keep_warnings(&mut self, n: usize) {
         self.warnings.truncate(n);
+    }
+}
+
+fn may_hold_text(value: &Value) -> bool {
+    match value {
+        Value::Number(_) | Value::Jet(_) | Value::Point(_) | Value::JetPoint(_) => false,
+        Value::Curve(_) | Value::JetCurve(_) | Value::Surface(_) | Value::JetSurface(_) => false,
+        Value::List(items) => items.numbers().is_none() && items.iter().any(may_hold_text),
+        _ => true,
     }
 }

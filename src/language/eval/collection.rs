@@ -14,7 +14,9 @@ use crate::{
     diag::{Code, Diagnostic, Result, Span},
     limits::Ceiling,
     syntax::ast::Unit,
-    value::{Dimension, IntoValue, List, Number, NumberFormat, Real, Record, Value, Vector},
+    value::{
+        Dimension, IntoValue, List, Number, NumberFormat, Real, Record, Value, Vector, varies,
+    },
 };
 
 /// Fails: this cannot be a coordinate.
@@ -186,15 +188,19 @@ impl Machine<'_> {
         for piece in pieces {
             match piece {
                 StringPart::Text(text) => out.push_str(text),
-                StringPart::Expr(expr, format) => match (self.eval(expr)?, format) {
-                    (value, Some(format)) => {
-                        out.push_str(&self.formatted(&value, format, expr.span)?);
+                StringPart::Expr(expr, format) => {
+                    let value = self.eval(expr)?;
+                    self.has_varying_texts |= varies(&value);
+                    match (value, format) {
+                        (value, Some(format)) => {
+                            out.push_str(&self.formatted(&value, format, expr.span)?);
+                        }
+                        (Value::Text(text), None) => out.push_str(&text),
+                        (other, None) => {
+                            out.push_str(&other.in_unit(self.env.unit.name()).to_string());
+                        }
                     }
-                    (Value::Text(text), None) => out.push_str(&text),
-                    (other, None) => {
-                        out.push_str(&other.in_unit(self.env.unit.name()).to_string());
-                    }
-                },
+                }
             }
             self.check_text(out.len(), span)?;
         }

@@ -54,6 +54,8 @@ pub(crate) struct Machine<'a> {
     pub(super) witness: Option<(Span, Witness)>,
     /// What decided which way functions went, where somebody wants to know.
     pub(super) switches: Option<Vec<Switch>>,
+    /// Whether texts were made of what carries derivatives.
+    pub(super) has_varying_texts: bool,
     /// Callers of the failure under way that no remark tells of.
     pub(super) n_untold: usize,
     /// The results that the last import brought, where they have an identity.
@@ -86,6 +88,7 @@ impl<'a> Machine<'a> {
             reads: None,
             witness: None,
             switches: None,
+            has_varying_texts: false,
             n_untold: 0,
             imported: Fields::default(),
             n_doubtful: 0,

@@ -8,8 +8,8 @@
 
 use super::{
     CARRIES_DERIVATIVES, Value,
-    numbers::{NumberSlopes, numbers},
-    packed::PackedVariables,
+    numbers::{NumberSlopes, SparseNumbers, numbers},
+    packed::Growth,
     variation::{
         Steps, Variables, are_alike, has_moving_knots, looked_at, moved, sizes, with_form_of,
     },
@@ -18,11 +18,7 @@ use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
 
 /// Steps that are tried, as the size of what moves halved so many times: the first may leave what the
 /// operation takes.
-const HALVINGS: [i32; 4] = [2, 3, 6, 12];
-
-/// How many times fewer steps variables of other lines together have to take before they are tried, since operations
-/// that mix lines lose the time of these.
-const FEWER_BY_LINE: usize = 4;
+pub(super) const HALVINGS: [i32; 4] = [2, 3, 6, 12];
 
 /// Why an answer has no derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,7 +117,7 @@ pub fn through_shape(
 }
 
 /// All values with their variables moved by some steps.
-fn all_moved(args: &[Value], steps: Steps<'_>) -> Option<Vec<Value>> {
+pub(super) fn all_moved(args: &[Value], steps: Steps<'_>) -> Option<Vec<Value>> {
     args.iter().map(|arg| moved(arg, steps)).collect()
 }
 
@@ -140,26 +136,39 @@ fn differences(
 }
 
 /// The numbers of the answer beside the place.
-struct Differences<'a> {
-    args: &'a [Value],
-    base: Value,
-    run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
-    plain: Vec<f64>,
+pub(super) struct Differences<'a> {
+    pub(super) args: &'a [Value],
+    pub(super) base: Value,
+    pub(super) run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
+    pub(super) plain: Vec<f64>,
 }
 
 /// The slopes along the growths, by variable.
-fn along(lines: &[Growth]) -> Vec<(usize, Vec<f64>)> {
-    let slope = |line: &Growth| {
-        (line.variable, line.growth.iter().map(|growth| growth / line.step).collect())
+fn along(lines: impl IntoIterator<Item = Growth>) -> Vec<(usize, SparseNumbers)> {
+    let slope = |Growth { variable, step, mut growth }: Growth| {
+        growth.iter_mut().for_each(|(_, growth)| *growth /= step);
+        (variable, growth)
     };
-    lines.iter().map(slope).collect()
+    let mut found: Vec<(usize, SparseNumbers)> = lines.into_iter().map(slope).collect();
+    found.sort_by_key(|(variable, _)| *variable);
+    found
 }
 
-/// How much the numbers grow over a step of a variable.
-struct Growth {
-    variable: usize,
-    step: f64,
-    growth: Vec<f64>,
+/// How much all numbers grow over a step of a variable.
+pub(super) struct Line {
+    pub(super) variable: usize,
+    pub(super) step: f64,
+    pub(super) growth: Vec<f64>,
+}
+
+impl Line {
+    fn grown(&self) -> Growth {
+        Growth { variable: self.variable, step: self.step, growth: sparse(&self.growth) }
+    }
+}
+
+pub(super) fn sparse(numbers: &[f64]) -> SparseNumbers {
+    numbers.iter().copied().enumerate().filter(|(_, number)| *number != 0.0).collect()
 }
 
 impl<'a> Differences<'a> {
@@ -189,7 +198,7 @@ impl<'a> Differences<'a> {
     }
 
     /// The step over which what moves with a variable moves by its own size; none where nothing does.
-    fn unit_step(&self, variable: usize) -> Option<f64> {
+    pub(super) fn unit_step(&self, variable: usize) -> Option<f64> {
         let all = self.args.iter().map(|arg| sizes(arg, variable));
         let [slope, size] = all.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
         if slope == 0.0 {
@@ -205,13 +214,13 @@ impl<'a> Differences<'a> {
         &mut self,
         variable: usize,
         n_wanted: usize,
-    ) -> std::result::Result<Vec<Growth>, NoDerivative> {
+    ) -> std::result::Result<Vec<Line>, NoDerivative> {
         let Some(unit) = self.unit_step(variable) else { return Ok(Vec::new()) };
         let (mut found, mut missing) = (Vec::new(), NoDerivative::NoAnswer);
         let signed = |halvings: i32| [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings));
         for step in HALVINGS.into_iter().flat_map(signed) {
             match self.growth(&[(variable, step)]) {
-                Ok(growth) => found.push(Growth { variable, step, growth }),
+                Ok(growth) => found.push(Line { variable, step, growth }),
                 Err(reason) => missing = reason,
             }
             if found.len() == n_wanted {
@@ -223,11 +232,11 @@ impl<'a> Differences<'a> {
 
     /// The answer with its derivatives: first as on straight lines, then as on parabolas.
     fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
-        let by_variable = match self.lines_together(n_variables) {
-            Some(lines) => along(&lines),
+        let by_variable = match self.together(n_variables) {
+            Some(lines) => along(lines),
             None => self.each_by_itself(n_variables)?,
         };
-        let mut slopes = NumberSlopes { n_variables, by_variable: &by_variable, n_used: 0 };
+        let mut slopes = NumberSlopes::new(n_variables, &by_variable);
         slopes.value(&self.base).ok_or(NoDerivative::NoAnswer)
     }
 
@@ -235,21 +244,25 @@ impl<'a> Differences<'a> {
     fn each_by_itself(
         &mut self,
         n_variables: usize,
-    ) -> std::result::Result<Vec<(usize, Vec<f64>)>, NoDerivative> {
-        let lines = self.lines(n_variables)?;
-        if self.are_straight(&lines) {
-            return Ok(along(&lines));
+    ) -> std::result::Result<Vec<(usize, SparseNumbers)>, NoDerivative> {
+        let lines: Vec<Growth> = self.lines(n_variables)?.iter().map(Line::grown).collect();
+        if self.are_straight(lines.iter()) {
+            return Ok(along(lines));
         }
         let mut all = Vec::new();
         for line in lines {
             let growths = self.growths(line.variable, 3)?;
-            all.push((line.variable, self.parabola(&growths).ok_or(NoDerivative::Uneven)?));
+            let slopes = self.parabola(&growths).ok_or(NoDerivative::Uneven)?;
+            all.push((line.variable, sparse(&slopes)));
         }
         Ok(all)
     }
 
     /// The growth over a step of each variable.
-    fn lines(&mut self, n_variables: usize) -> std::result::Result<Vec<Growth>, NoDerivative> {
+    pub(super) fn lines(
+        &mut self,
+        n_variables: usize,
+    ) -> std::result::Result<Vec<Line>, NoDerivative> {
         let mut lines = Vec::new();
         for variable in 0..n_variables {
             // The slopes of all variables by all others may be more than there is room for.
@@ -261,65 +274,32 @@ impl<'a> Differences<'a> {
         Ok(lines)
     }
 
-    /// The same of variables that move one coordinate each, from steps of several at once; none where they do not go
-    /// together.
-    fn lines_together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
-        let held = all_moved(self.args, &[])?;
-        let packed = PackedVariables::new(self.args, &held, n_variables, false)?;
-        if PackedVariables::have_lines(&held, &self.base)
-            && let Some(by_line) = PackedVariables::new(self.args, &held, n_variables, true)
-            && FEWER_BY_LINE * (by_line.len() + 1) <= packed.len()
-            && let Some(lines) = self.lines_of_packs(&by_line, n_variables)
-        {
-            return Some(lines);
-        }
-        self.lines_of_packs(&packed, n_variables)
-    }
-
-    /// The growths of variables by steps of packs of them; none where they do not go together.
-    fn lines_of_packs(
-        &mut self,
-        packed: &PackedVariables,
-        n_variables: usize,
-    ) -> Option<Vec<Growth>> {
-        let mut together = Differences {
-            args: &packed.args,
-            base: self.base.clone(),
-            run: &mut *self.run,
-            plain: self.plain.clone(),
-        };
-        let mut lines = Vec::with_capacity(n_variables);
-        for found in together.lines(packed.len()).ok()? {
-            let parts = packed.taken_apart(found.variable, (found.step, &found.growth), &self.base);
-            let line = |(variable, step, growth)| Growth { variable, step, growth };
-            lines.extend(parts.into_iter().map(line));
-        }
-        self.are_straight(&lines).then_some(lines)
-    }
-
     /// Whether the growths over all steps together, each shortened in its own way, are the sum of theirs.
-    fn are_straight(&mut self, lines: &[Growth]) -> bool {
-        let n = lines.len() as f64;
+    pub(super) fn are_straight<'l>(
+        &mut self,
+        lines: impl Iterator<Item = &'l Growth> + Clone,
+    ) -> bool {
+        let n = lines.clone().count() as f64;
         let shortened = |idx: usize| {
             let golden = (idx + 1) as f64 * 0.618_033_988_749_894_9;
             -(0.5 + 0.5 * golden.fract()) / n
         };
-        let factors: Vec<f64> = (0..lines.len()).map(shortened).collect();
+        let factors = (0..).map(shortened);
         let steps: Vec<(usize, f64)> = lines
-            .iter()
-            .zip(&factors)
+            .clone()
+            .zip(factors.clone())
             .map(|(line, factor)| (line.variable, factor * line.step))
             .collect();
         let Ok(found) = self.growth(&steps) else { return false };
         let mut expected = vec![0.0; found.len()];
-        for (line, factor) in lines.iter().zip(&factors) {
-            expected.iter_mut().zip(&line.growth).for_each(|(sum, growth)| *sum += factor * growth);
+        for (line, factor) in lines.zip(factors) {
+            line.growth.iter().for_each(|(at, growth)| expected[*at] += factor * growth);
         }
         self.is_near(&found, &expected)
     }
 
     /// The slopes at the place of the parabolas through two growths, which must go through the third.
-    fn parabola(&self, growths: &[Growth]) -> Option<Vec<f64>> {
+    fn parabola(&self, growths: &[Line]) -> Option<Vec<f64>> {
         let [a, b, c] = growths else {
             return growths.is_empty().then(|| vec![0.0; self.plain.len()]);
         };

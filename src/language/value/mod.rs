@@ -5,6 +5,7 @@
 //! evaluator, the reference, the help and the tests read nothing else.
 
 mod affine;
+mod affine_packs;
 mod appearance;
 mod bind;
 mod bind_names;
@@ -38,6 +39,7 @@ mod op_macro;
 mod packed;
 mod parameter_range;
 mod range;
+mod reach;
 mod read_json;
 mod real;
 mod real_body;

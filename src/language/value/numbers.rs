@@ -12,60 +12,110 @@ use crate::kernel::{
 /// What a number is that is no coordinate of a point, beside 0, 1 and 2 for x, y and z.
 pub(super) const OTHER_NUMBER: usize = 3;
 
-/// Where a number stands in what it belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct NumberPlace {
-    /// Which coordinate of a point it is, or [`OTHER_NUMBER`].
-    pub(super) axis: usize,
-    /// To which control point of a curve it belongs, or to which row of those of a surface; none elsewhere.
-    pub(super) line: Option<usize>,
+/// Numbers that are not zero, each with where it stands among all, in this order.
+pub(super) type SparseNumbers = Vec<(usize, f64)>;
+
+/// Points in rows: the control points of a curve, one in each row, those of a surface, or a list of points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PointNet {
+    /// How many rows and columns.
+    pub(super) size: [usize; 2],
+    /// Its first point among all points and other numbers.
+    pub(super) first: usize,
+    /// Which list it stands in, if any.
+    pub(super) list: Option<usize>,
+}
+
+/// Where the [`numbers`] of values stand.
+#[derive(Clone, Debug, Default)]
+pub(super) struct NumberPlaces {
+    /// Which coordinate of a point each is, or [`OTHER_NUMBER`], and to which point it belongs, where each number
+    /// outside of points is one.
+    pub(super) numbers: Vec<(usize, usize)>,
+    /// The first number of each point.
+    pub(super) points: Vec<usize>,
+    pub(super) nets: Vec<PointNet>,
+    n_lists: usize,
+}
+
+impl NumberPlaces {
+    pub(super) fn of<'v>(values: impl IntoIterator<Item = &'v Value>) -> Self {
+        let mut places = Self::default();
+        values.into_iter().for_each(|value| places.add(value, None));
+        places
+    }
+
+    fn add_points(&mut self, n_points: usize, n_coordinates: usize) {
+        for _ in 0..n_points {
+            self.points.push(self.numbers.len());
+            let point = self.points.len() - 1;
+            self.numbers.extend((0..n_coordinates).map(|axis| (axis, point)));
+        }
+    }
+
+    fn add_net(&mut self, size: [usize; 2], n_coordinates: usize, list: Option<usize>) {
+        self.nets.push(PointNet { size, first: self.points.len(), list });
+        self.add_points(size[0] * size[1], n_coordinates);
+    }
+
+    fn add(&mut self, value: &Value, list: Option<usize>) {
+        match value {
+            Value::Point(_) => self.add_points(1, 3),
+            Value::Curve(Curve::Nurbs(curve)) => {
+                self.add_net([curve.control_points().len(), 1], 4, list);
+            }
+            Value::Surface(Surface::Nurbs(surface)) => {
+                let net = surface.control_points();
+                self.add_net([net.n_rows(), net.n_columns()], 4, list);
+            }
+            Value::List(items) => {
+                let are_points = items.values().all(|item| matches!(item, Value::Point(_)));
+                if are_points {
+                    return self.add_net([items.len(), 1], 3, list);
+                }
+                let own = self.n_lists;
+                self.n_lists += 1;
+                items.values().for_each(|item| self.add(&item, Some(own)));
+            }
+            Value::Record(record) => record.iter().for_each(|(_, value)| self.add(value, None)),
+            other => each_number(other, &mut |_| {
+                self.points.push(self.numbers.len());
+                self.numbers.push((OTHER_NUMBER, self.points.len() - 1));
+            }),
+        }
+    }
+
+    /// The net that a point belongs to, and its row and column there; none where it is in none.
+    pub(super) fn in_net(&self, point: usize) -> Option<(usize, [usize; 2])> {
+        let net = self.nets.partition_point(|net| net.first <= point).checked_sub(1)?;
+        let PointNet { size: [n_rows, n_columns], first, .. } = self.nets[net];
+        let idx = point - first;
+        (idx < n_rows * n_columns).then(|| (net, [idx / n_columns, idx % n_columns]))
+    }
 }
 
 /// The numbers of a value, one behind the other: of numbers, points, ranges, lists and records, and of
 /// control points with their weights.
 pub(super) fn numbers(value: &Value, all: &mut Vec<f64>) {
-    each_number(value, &mut |number, _| all.push(number));
+    each_number(value, &mut |number| all.push(number));
 }
 
-/// Where each of the [`numbers`] of a value stands.
-pub(super) fn places(value: &Value, all: &mut Vec<NumberPlace>) {
-    each_number(value, &mut |_, place| all.push(place));
-}
-
-/// How many lines the curves and surfaces in a value have, as [`NumberPlace::line`] counts them; none where they differ,
-/// or there are none.
-pub(super) fn n_lines<'v>(values: impl IntoIterator<Item = &'v Value>) -> Option<usize> {
-    let mut counts = values.into_iter().filter_map(|value| match value {
-        Value::Curve(Curve::Nurbs(curve)) => Some(Some(curve.control_points().len())),
-        Value::Surface(Surface::Nurbs(surface)) => Some(Some(surface.control_points().n_rows())),
-        Value::List(items) if items.numbers().is_none() => Some(n_lines(items.iter())),
-        _ => None,
-    });
-    let first = counts.next()??;
-    counts.all(|count| count == Some(first)).then_some(first)
-}
-
-fn each_number(value: &Value, take: &mut dyn FnMut(f64, NumberPlace)) {
-    let other = NumberPlace { axis: OTHER_NUMBER, line: None };
-    let point = |numbers: &[f64], line: Option<usize>, take: &mut dyn FnMut(f64, NumberPlace)| {
-        let places = (0..).map(|axis| NumberPlace { axis, line });
-        numbers.iter().zip(places).for_each(|(number, place)| take(*number, place));
+fn each_number(value: &Value, take: &mut dyn FnMut(f64)) {
+    let point = |numbers: &[f64], take: &mut dyn FnMut(f64)| {
+        numbers.iter().for_each(|number| take(*number));
     };
     match value {
-        Value::Number(number) => take(number.value, other),
-        Value::Point(own) => point(&own.to_array(), None, take),
+        Value::Number(number) => take(number.value),
+        Value::Point(own) => point(&own.to_array(), take),
         Value::Range(range) => {
-            [range.start, range.end].into_iter().for_each(|end| take(end.value, other));
+            [range.start, range.end].into_iter().for_each(|end| take(end.value));
         }
         Value::Curve(Curve::Nurbs(curve)) => {
-            let points = curve.control_points().iter().enumerate();
-            points.for_each(|(line, own)| point(&own.to_array(), Some(line), take));
+            curve.control_points().iter().for_each(|own| point(&own.to_array(), take));
         }
         Value::Surface(Surface::Nurbs(surface)) => {
-            let net = surface.control_points();
-            for line in 0..net.n_rows() {
-                net.row(line).iter().for_each(|own| point(&own.to_array(), Some(line), take));
-            }
+            let net = surface.control_points().as_slice();
+            net.iter().for_each(|own| point(&own.to_array(), take));
         }
         Value::List(items) => items.values().for_each(|item| each_number(&item, take)),
         Value::Record(record) => record.iter().for_each(|(_, value)| each_number(value, take)),
@@ -73,61 +123,90 @@ fn each_number(value: &Value, take: &mut dyn FnMut(f64, NumberPlace)) {
     }
 }
 
-/// Adds the slopes of the [`numbers`] of a value, moved by no steps, to those by each variable.
-pub(super) fn slopes(value: &Value, all: &mut [Vec<f64>]) {
-    let jet = |jet: &Jet, all: &mut [Vec<f64>]| {
-        all.iter_mut().zip(jet.slopes()).for_each(|(own, slope)| own.push(*slope));
+/// Adds the slopes of the [`numbers`] of a value, moved by no steps, to those by each variable, behind so many numbers;
+/// how many there are with its own.
+pub(super) fn slopes(value: &Value, behind: usize, all: &mut [SparseNumbers]) -> usize {
+    let jet = |jet: &Jet, at: usize, all: &mut [SparseNumbers]| {
+        let own = all.iter_mut().zip(jet.slopes()).filter(|(_, slope)| **slope != 0.0);
+        own.for_each(|(own, slope)| own.push((at, *slope)));
+        at + 1
     };
-    let real = |real: &Real, all: &mut [Vec<f64>]| match real {
-        Real::Plain(_) => all.iter_mut().for_each(|own| own.push(0.0)),
-        Real::Jet(own) => jet(own, all),
+    let real = |real: &Real, at: usize, all: &mut [SparseNumbers]| match real {
+        Real::Plain(_) => at + 1,
+        Real::Jet(own) => jet(own, at, all),
     };
-    let points = |n_points: usize, slopes: &PointSlopes, all: &mut [Vec<f64>]| {
-        let n = all.first().map_or(0, Vec::len) + 4 * n_points;
+    let points = |n_points: usize, slopes: &PointSlopes, all: &mut [SparseNumbers]| {
         for (variable, own) in slopes.by_variable() {
-            all[*variable].extend(own.iter().flat_map(DVec4::to_array));
+            let numbers = own.iter().flat_map(DVec4::to_array);
+            let moving = (behind..).zip(numbers).filter(|(_, slope)| *slope != 0.0);
+            all[*variable].extend(moving);
         }
-        all.iter_mut().for_each(|own| own.resize(n, 0.0));
+        behind + 4 * n_points
     };
     match value {
-        Value::Jet(number) => real(&number.value, all),
-        Value::JetPoint(jets) => jets.iter().for_each(|own| jet(own, all)),
+        Value::Jet(number) => real(&number.value, behind, all),
+        Value::JetPoint(jets) => jets.iter().fold(behind, |at, own| jet(own, at, all)),
         Value::JetRange(range) => {
-            [&range.start, &range.end].into_iter().for_each(|end| real(&end.value, all));
+            let ends = [&range.start, &range.end];
+            ends.into_iter().fold(behind, |at, end| real(&end.value, at, all))
         }
         Value::JetCurve(curve) => points(curve.curve().control_points().len(), curve.slopes(), all),
         Value::JetSurface(surface) => {
-            points(surface.surface().control_points().as_slice().len(), surface.slopes(), all);
+            points(surface.surface().control_points().as_slice().len(), surface.slopes(), all)
         }
         Value::List(items) if items.numbers().is_none() => {
-            items.iter().for_each(|item| slopes(item, all));
+            items.iter().fold(behind, |at, item| slopes(item, at, all))
         }
-        Value::Record(record) => record.iter().for_each(|(_, value)| slopes(value, all)),
-        plain => each_number(plain, &mut |_, _| all.iter_mut().for_each(|own| own.push(0.0))),
+        Value::Record(record) => {
+            record.iter().fold(behind, |at, (_, value)| slopes(value, at, all))
+        }
+        plain => {
+            let mut n = behind;
+            each_number(plain, &mut |_| n += 1);
+            n
+        }
     }
 }
 
 /// Slopes of the [`numbers`] of a value by variables, handed out in their order.
 pub(super) struct NumberSlopes<'s> {
     /// How many variables there are.
-    pub(super) n_variables: usize,
-    /// For those that the value depends on, the slope of each number.
-    pub(super) by_variable: &'s [(usize, Vec<f64>)],
+    n_variables: usize,
+    /// For each of those that the value depends on, the slopes that are left.
+    left: Vec<(usize, &'s [(usize, f64)])>,
     /// How many numbers have theirs.
-    pub(super) n_used: usize,
+    n_used: usize,
 }
 
-impl NumberSlopes<'_> {
+impl<'s> NumberSlopes<'s> {
+    pub(super) fn new(n_variables: usize, by_variable: &'s [(usize, SparseNumbers)]) -> Self {
+        let left = by_variable.iter().map(|(variable, own)| (*variable, &own[..])).collect();
+        Self { n_variables, left, n_used: 0 }
+    }
+
+    /// The slopes of the next numbers by each variable that moves one of them, with their places among these.
+    fn next(&mut self, n_numbers: usize) -> Vec<(usize, &'s [(usize, f64)])> {
+        self.n_used += n_numbers;
+        let mut found = Vec::new();
+        for (variable, left) in &mut self.left {
+            let n_own = left.iter().take_while(|(at, _)| *at < self.n_used).count();
+            let (own, behind) = left.split_at(n_own);
+            *left = behind;
+            if !own.is_empty() {
+                found.push((*variable, own));
+            }
+        }
+        found
+    }
+
     /// A number with its slopes; plain if they are all zero.
     fn real(&mut self, value: f64) -> Option<Real> {
-        let mut slopes = vec![0.0; self.n_variables];
-        for (variable, own) in self.by_variable {
-            slopes[*variable] = own[self.n_used];
-        }
-        self.n_used += 1;
-        if slopes.iter().all(|slope| *slope == 0.0) {
+        let own = self.next(1);
+        if own.is_empty() {
             return Some(Real::Plain(value));
         }
+        let mut slopes = vec![0.0; self.n_variables];
+        own.into_iter().for_each(|(variable, own)| slopes[variable] = own[0].1);
         Jet::with_slopes(value, &slopes).ok().map(Real::Jet)
     }
 
@@ -137,12 +216,14 @@ impl NumberSlopes<'_> {
 
     fn points(&mut self, n_points: usize) -> Option<PointSlopes> {
         let from = self.n_used;
-        self.n_used += 4 * n_points;
-        let own = |(variable, slopes): &(usize, Vec<f64>)| {
-            let points = slopes[from..self.n_used].chunks_exact(4).map(DVec4::from_slice);
-            (*variable, points.collect())
+        let own = |(variable, slopes): (usize, &[(usize, f64)])| {
+            let mut points = vec![DVec4::ZERO; n_points];
+            for (at, slope) in slopes {
+                points[(at - from) / 4][(at - from) % 4] = *slope;
+            }
+            (variable, points)
         };
-        let by_variable = self.by_variable.iter().map(own).collect();
+        let by_variable = self.next(4 * n_points).into_iter().map(own).collect();
         PointSlopes::new(self.n_variables, n_points, by_variable).ok()
     }
 

@@ -133,6 +133,12 @@ pub trait Caller {
     /// was noted before.
     fn note_switches(&mut self, noted: Option<Vec<Switch>>) -> Option<Vec<Switch>>;
 
+    /// Takes notice that a text was made of what carries derivatives, which no number that it spells has.
+    fn made_varying_text(&mut self);
+
+    /// Whether texts may be made of what carries derivatives.
+    fn has_varying_texts(&self) -> bool;
+
     /// Takes a warning.
     fn warn(&mut self, warning: Diagnostic);
 

@@ -1,21 +1,32 @@
-//! Several variables moved by one step, for operations that do the same to each coordinate by itself, as most do
-//! that make curves and surfaces of points and curves: what moves along one coordinate is moved along another one
-//! beside it, and what the answer does there is what it would do along its own. Where lines of control points go
-//! through curves and each makes a row of a surface by itself, as in a skin, so do variables of other lines.
+//! Several variables moved by one step.
 //!
-//! That an operation is of this kind is supposed only; whoever uses this holds the outcome against the variables as
-//! they are.
-
-use std::ops::Range;
+//! Most operations that make curves and surfaces of points and curves do the same to each coordinate by itself: what moves
+//! along one coordinate is moved along another one beside it, and what the answer does there is what it would do along its
+//! own. And where control points move a part of the answer each, those of other parts move together. That an operation is
+//! of this kind is supposed only; whoever uses this holds the outcome against the variables as they are.
+//!
+//! Curtis, Powell & Reid, *On the estimation of sparse Jacobian matrices*, IMA J. Appl. Math. 13 (1974).
 
 use super::{
     Value,
-    numbers::{NumberPlace, NumberSlopes, OTHER_NUMBER, n_lines, places, slopes},
+    numbers::{NumberPlaces, NumberSlopes, OTHER_NUMBER, SparseNumbers, slopes},
+    reach::{Moved, PointReach},
 };
 use crate::limits::work;
 
-/// How many coordinates a point has, and so how many variables go together that move all lines.
+/// How many coordinates a point has, and so how many variables go together that move all of an answer.
 const N_AXES: usize = 3;
+
+/// Of how many control points that move alike those are that are moved first, at most.
+const FEW: usize = 4;
+
+/// What moves in the arguments of an operation.
+pub(super) struct MovingNumbers {
+    held: Vec<Value>,
+    places: NumberPlaces,
+    /// The slopes of all numbers, by each variable.
+    slopes: Vec<SparseNumbers>,
+}
 
 /// A variable among those that are moved together.
 #[derive(Clone, Debug)]
@@ -23,214 +34,268 @@ struct PackedVariable {
     variable: usize,
     /// By how much it is moved over a step of one.
     scale: f64,
-    /// The coordinate that it moves, and that along which this is done; none of one that moves several.
+    /// The coordinate that it moves, and that along which this is done; none of one that stays where it is.
     turned: Option<[usize; 2]>,
-    /// Which lines it moves, in order; none where it may move any.
-    lines: Option<Vec<usize>>,
-}
-
-impl PackedVariable {
-    /// Whether it may move what belongs to a line.
-    fn moves(&self, line: Option<usize>) -> bool {
-        let lines = self.lines.as_ref();
-        lines.zip(line).is_none_or(|(all, own)| all.binary_search(&own).is_ok())
-    }
+    /// Which points of the answer it moves; none where it may move any.
+    points: Option<Vec<usize>>,
 }
 
 /// Variables that are moved together.
-#[derive(Debug, Default)]
-struct Pack {
-    members: Vec<PackedVariable>,
-    /// Which lines move along each coordinate; of none the rest are free.
-    taken: [Taken; N_AXES],
-}
-
-/// Lines that move along a coordinate.
 #[derive(Clone, Debug)]
-enum Taken {
-    Lines(Vec<usize>),
-    All,
+pub(super) struct Pack {
+    members: Vec<PackedVariable>,
+    /// Which points of the answer move along each coordinate.
+    taken: [Vec<bool>; N_AXES],
 }
 
-impl Default for Taken {
-    fn default() -> Self {
-        Self::Lines(Vec::new())
-    }
+/// By how much an answer grows over a step of a variable.
+pub(super) struct Growth {
+    pub(super) variable: usize,
+    pub(super) step: f64,
+    pub(super) growth: SparseNumbers,
 }
 
-impl Taken {
-    /// Takes lines, or all; whether they were free.
-    fn take(&mut self, lines: Option<&[usize]>) -> bool {
-        match (&mut *self, lines) {
-            (Self::All, _) => false,
-            (Self::Lines(own), None) => {
-                let is_free = own.is_empty();
-                if is_free {
-                    *self = Self::All;
-                }
-                is_free
-            }
-            (Self::Lines(own), Some(lines)) => {
-                let is_free = lines.iter().all(|line| !own.contains(line));
-                if is_free {
-                    own.extend(lines);
-                }
-                is_free
-            }
-        }
-    }
-}
-
-/// Variables by those that are moved together.
-#[derive(Debug)]
-pub(super) struct PackedVariables {
-    packs: Vec<Vec<PackedVariable>>,
-    /// What is moved, its variables the packs.
-    pub(super) args: Vec<Value>,
-}
-
-impl PackedVariables {
-    /// Of arguments and the same without derivatives, those of other lines together too where `by_line`; none where no
-    /// variables go together.
-    pub(super) fn new(
-        args: &[Value],
-        held: &[Value],
-        n_variables: usize,
-        by_line: bool,
-    ) -> Option<Self> {
-        let mut kinds = Vec::new();
-        held.iter().for_each(|arg| places(arg, &mut kinds));
+impl MovingNumbers {
+    /// Of arguments, and the same without derivatives; none where there is no room for them.
+    pub(super) fn new(args: &[Value], held: Vec<Value>, n_variables: usize) -> Option<Self> {
+        let places = NumberPlaces::of(&held);
         // The slopes of all numbers by all variables may be more than there is room for.
-        if !work::goes_on(1 + (n_variables * kinds.len()) as u64 / work::PARTS_A_STEP) {
+        let n_parts = n_variables * places.numbers.len();
+        if !work::goes_on(1 + n_parts as u64 / work::PARTS_A_STEP) {
             return None;
         }
-        let mut all = vec![Vec::with_capacity(kinds.len()); n_variables];
-        args.iter().for_each(|arg| slopes(arg, &mut all));
-        let packs = packs(&all, &kinds, by_line);
-        let n_moving: usize = packs.iter().map(Vec::len).sum();
-        if packs.len() == n_moving {
-            return None;
+        let mut all = vec![Vec::new(); n_variables];
+        args.iter().fold(0, |behind, arg| slopes(arg, behind, &mut all));
+        Some(Self { held, places, slopes: all })
+    }
+
+    /// The same with a variable for each control point that moves, along the first coordinate; none where anything else does.
+    pub(super) fn by_points(&self) -> Option<Self> {
+        let mut points = Vec::new();
+        for (at, _) in self.slopes.iter().flatten() {
+            let (axis, point) = self.places.numbers[*at];
+            self.places.in_net(point).filter(|_| axis != OTHER_NUMBER)?;
+            points.push(point);
         }
-        let direction = |(idx, pack): (usize, &Vec<PackedVariable>)| {
-            let mut sum = vec![0.0; kinds.len()];
-            for member in pack {
-                let places = sum_places(&kinds, member.turned);
-                for (to, slope) in places.zip(&all[member.variable]) {
-                    sum[to] += member.scale * slope;
+        points.sort_unstable();
+        points.dedup();
+        let slopes = points.iter().map(|point| vec![(self.places.points[*point], 1.0)]).collect();
+        Some(Self { held: self.held.clone(), places: self.places.clone(), slopes })
+    }
+
+    /// Adds the growth of so many steps of a variable, from those with each control point, which are variables of another.
+    pub(super) fn add_through(
+        &self,
+        (variable, step): (usize, f64),
+        (points, of_points): (&Self, &[Growth]),
+        growth: &mut [f64],
+    ) {
+        for (at, slope) in &self.slopes[variable] {
+            let (axis, point) = self.places.numbers[*at];
+            let first = self.places.points[point];
+            let own = points.slopes.binary_search_by_key(&first, |own| own[0].0);
+            let Ok(own) = own.map(|idx| &of_points[idx]) else { continue };
+            let factor = step * slope / own.step;
+            own.growth.iter().for_each(|(at, grown)| growth[at + axis] += factor * grown);
+        }
+    }
+
+    /// The variables that move something.
+    pub(super) fn variables(&self) -> Vec<usize> {
+        (0..self.slopes.len()).filter(|&variable| !self.slopes[variable].is_empty()).collect()
+    }
+
+    /// The control point that a variable moves alone; none where it moves others too.
+    fn moved(&self, variable: usize) -> Option<Moved> {
+        let own = &self.slopes[variable];
+        let point = |(at, _): &(usize, f64)| self.places.numbers[*at].1;
+        let first = point(own.first()?);
+        let (net, at) = self.places.in_net(first)?;
+        (point(own.last()?) == first).then_some(Moved { variable, net, at })
+    }
+
+    /// Variables of points of a net that may move alike, those of curves or surfaces in one list together: two of each are
+    /// to be moved before all others.
+    pub(super) fn first_ones(&self) -> Vec<[Moved; 2]> {
+        let nets = &self.places.nets;
+        let mut by_net = vec![Vec::new(); nets.len()];
+        let moved = self.variables().into_iter().filter_map(|variable| self.moved(variable));
+        moved.for_each(|moved| by_net[moved.net].push(moved));
+        let mut found: Vec<[Moved; 2]> = Vec::new();
+        let mut n_moved = 0;
+        for own in by_net.iter().filter(|own| FEW <= own.len()) {
+            n_moved += own.len();
+            let net = own[0].net;
+            let is_known = |pair: &[Moved; 2]| self.are_alike(pair[0].net, net);
+            if !found.iter().any(is_known) {
+                let mut own = own.clone();
+                own.sort_by_key(|moved| moved.at);
+                found.push([own[own.len() / 3], own[2 * own.len() / 3]]);
+            }
+        }
+        let is_worth_it = 2 * FEW * found.len() <= n_moved;
+        if is_worth_it { found } else { Vec::new() }
+    }
+
+    /// Whether points of two nets may move alike.
+    fn are_alike(&self, a: usize, b: usize) -> bool {
+        let [one, other] = [a, b].map(|net| self.places.nets[net]);
+        a == b || one.list.is_some() && one.list == other.list && one.size == other.size
+    }
+
+    /// Variables by those that are moved together, each along a coordinate of its own or as it is, where it is known which
+    /// points of an answer control points reach.
+    pub(super) fn packs(
+        &self,
+        variables: &[usize],
+        reaches: &[(Moved, PointReach)],
+        answer: &NumberPlaces,
+        is_turning: bool,
+    ) -> Vec<Pack> {
+        let reached = |variable: usize| {
+            let moved = self.moved(variable)?;
+            let (_, reach) =
+                reaches.iter().find(|(first, _)| self.are_alike(first.net, moved.net))?;
+            reach.points(moved.at, answer)
+        };
+        let mut packs: Vec<Pack> = Vec::new();
+        let mut n_full = 0;
+        for &variable in variables {
+            let mut member = self.packed(variable, is_turning);
+            member.points = reached(variable);
+            n_full += packs[n_full..].iter().take_while(|pack| pack.is_full()).count();
+            let found = packs[n_full..].iter_mut().position(|pack| pack.take(&mut member));
+            match found {
+                Some(idx) => packs[n_full + idx].members.push(member),
+                None => {
+                    let mut pack = Pack::new(answer.points.len());
+                    pack.take(&mut member);
+                    pack.members.push(member);
+                    packs.push(pack);
                 }
             }
+        }
+        // One alone stays where it is.
+        for pack in &mut packs {
+            if let [only] = &mut pack.members[..] {
+                (only.turned, only.points) = (None, None);
+            }
+        }
+        packs
+    }
+
+    fn packed(&self, variable: usize, is_turning: bool) -> PackedVariable {
+        let own = &self.slopes[variable];
+        let largest = own.iter().fold(0.0, |most: f64, (_, slope)| most.max(slope.abs()));
+        let scale = libm::exp2(-libm::log2(largest).round());
+        let axis = |(at, _): &(usize, f64)| self.places.numbers[*at].0;
+        let axis_of_all = own.first().map(axis).filter(|&first| {
+            first != OTHER_NUMBER && own.iter().all(|number| axis(number) == first)
+        });
+        let turned = axis_of_all.filter(|_| is_turning).map(|axis| [axis, axis]);
+        PackedVariable { variable, scale, turned, points: None }
+    }
+
+    /// The arguments with packs as their variables.
+    pub(super) fn args(&self, packs: &[Pack]) -> Option<Vec<Value>> {
+        let direction = |(idx, pack): (usize, &Pack)| {
+            let mut sum = SparseNumbers::new();
+            for member in &pack.members {
+                for (at, slope) in &self.slopes[member.variable] {
+                    let to = match member.turned {
+                        Some([axis, along]) => at - axis + along,
+                        None => *at,
+                    };
+                    sum.push((to, member.scale * slope));
+                }
+            }
+            sum.sort_by_key(|(at, _)| *at);
+            sum.dedup_by(|next, own| {
+                let is_same = next.0 == own.0;
+                if is_same {
+                    own.1 += next.1;
+                }
+                is_same
+            });
             (idx, sum)
         };
-        let by_variable: Vec<(usize, Vec<f64>)> = packs.iter().enumerate().map(direction).collect();
-        let mut seeds =
-            NumberSlopes { n_variables: packs.len(), by_variable: &by_variable, n_used: 0 };
-        let args: Option<Vec<Value>> = held.iter().map(|arg| seeds.value(arg)).collect();
-        Some(Self { packs, args: args? })
+        let by_pack: Vec<(usize, SparseNumbers)> =
+            packs.iter().enumerate().map(direction).collect();
+        let mut seeds = NumberSlopes::new(packs.len(), &by_pack);
+        self.held.iter().map(|arg| seeds.value(arg)).collect()
+    }
+}
+
+impl Pack {
+    fn new(n_points: usize) -> Self {
+        Self { members: Vec::new(), taken: std::array::from_fn(|_| vec![false; n_points]) }
     }
 
-    /// Whether each line of an answer may be made of the same line of all arguments, as far as their number tells.
-    pub(super) fn have_lines(held: &[Value], answer: &Value) -> bool {
-        n_lines(held).is_some_and(|n| 1 < n && n_lines([answer]) == Some(n))
+    fn is_full(&self) -> bool {
+        self.taken.iter().flatten().all(|is_taken| *is_taken)
     }
 
-    pub(super) fn len(&self) -> usize {
-        self.packs.len()
+    /// Takes the points of a variable along the first coordinate where they are free, or along all of them that the
+    /// variable moves; whether they were.
+    fn take(&mut self, member: &mut PackedVariable) -> bool {
+        let is_free = |taken: &Vec<bool>| match &member.points {
+            None => taken.iter().all(|is_taken| !is_taken),
+            Some(points) => points.iter().all(|&point| !taken[point]),
+        };
+        let axes = match &mut member.turned {
+            Some([_, along]) => match self.taken.iter().position(is_free) {
+                Some(free) => {
+                    *along = free;
+                    free..free + 1
+                }
+                None => return false,
+            },
+            None if self.taken.iter().all(is_free) => 0..N_AXES,
+            None => return false,
+        };
+        for taken in &mut self.taken[axes] {
+            match &member.points {
+                None => taken.fill(true),
+                Some(points) => points.iter().for_each(|&point| taken[point] = true),
+            }
+        }
+        true
     }
 
-    /// Of the growth of an answer over a step of a pack, that of each of its variables, with the variable and its own step.
+    /// Whether variables are among them that move a part of the answer alone.
+    pub(super) fn is_in_part(&self) -> bool {
+        self.members.iter().any(|member| member.points.is_some())
+    }
+
+    /// Of the growth of an answer over a step of the pack, that of each of its variables.
     pub(super) fn taken_apart(
         &self,
-        pack: usize,
         (step, growth): (f64, &[f64]),
-        answer: &Value,
-    ) -> Vec<(usize, f64, Vec<f64>)> {
-        let mut kinds = Vec::with_capacity(growth.len());
-        places(answer, &mut kinds);
-        let mut behind = 0;
-        let runs: Vec<(Option<usize>, Range<usize>)> = kinds
-            .chunk_by(|a, b| a.line == b.line)
-            .map(|run| {
-                behind += run.len();
-                (run[0].line, behind - run.len()..behind)
-            })
-            .collect();
+        answer: &NumberPlaces,
+    ) -> Vec<Growth> {
+        let n_numbers = answer.numbers.len();
         let of_member = |member: &PackedVariable| {
-            let mut own = vec![0.0; kinds.len()];
-            for (_, run) in runs.iter().filter(|(line, _)| member.moves(*line)) {
-                match member.turned {
-                    None => own[run.clone()].copy_from_slice(&growth[run.clone()]),
-                    Some([axis, along]) => run
-                        .clone()
-                        .filter(|idx| kinds[*idx].axis == axis)
-                        .for_each(|idx| own[idx] = growth[idx - axis + along]),
-                }
+            let mut own = SparseNumbers::new();
+            let mut add = |point: usize| {
+                let first = answer.points[point];
+                let end = answer.points.get(point + 1).copied().unwrap_or(n_numbers);
+                let numbers = match member.turned {
+                    Some([axis, along]) if first + axis.max(along) < end => {
+                        own.extend(Some((first + axis, growth[first + along])));
+                        return;
+                    }
+                    Some(_) => return,
+                    None => first..end,
+                };
+                own.extend(numbers.map(|at| (at, growth[at])));
+            };
+            match &member.points {
+                None => (0..answer.points.len()).for_each(add),
+                Some(points) => points.iter().for_each(|&point| add(point)),
             }
-            (member.variable, step * member.scale, own)
+            own.retain(|(_, grown)| *grown != 0.0);
+            Growth { variable: member.variable, step: step * member.scale, growth: own }
         };
-        self.packs[pack].iter().map(of_member).collect()
+        self.members.iter().map(of_member).collect()
     }
-}
-
-/// Where each number of a variable goes to, among numbers that stand there.
-fn sum_places(
-    kinds: &[NumberPlace],
-    turned: Option<[usize; 2]>,
-) -> impl Iterator<Item = usize> + '_ {
-    kinds.iter().enumerate().map(move |(idx, kind)| match turned {
-        Some([axis, along]) if kind.axis == axis => idx - axis + along,
-        _ => idx,
-    })
-}
-
-/// The variables that move something, by those that can go together.
-fn packs(all: &[Vec<f64>], kinds: &[NumberPlace], by_line: bool) -> Vec<Vec<PackedVariable>> {
-    let (mut alone, mut packs, mut n_full) = (Vec::new(), Vec::<Pack>::new(), 0);
-    for (variable, slopes) in all.iter().enumerate() {
-        let moving = || slopes.iter().zip(kinds).filter(|(slope, _)| **slope != 0.0);
-        let Some((_, first)) = moving().next() else { continue };
-        let largest = moving().fold(0.0, |most: f64, (slope, _)| most.max(slope.abs()));
-        let scale = libm::exp2(-libm::log2(largest).round());
-        let axis = first.axis;
-        if axis == OTHER_NUMBER || moving().any(|(_, kind)| kind.axis != axis) {
-            alone.push(vec![PackedVariable { variable, scale, turned: None, lines: None }]);
-            continue;
-        }
-        let lines: Option<Vec<usize>> =
-            if by_line { moving().map(|(_, kind)| kind.line).collect() } else { None };
-        let lines = lines.map(|mut lines| {
-            lines.sort_unstable();
-            lines.dedup();
-            lines
-        });
-        let is_full = |pack: &Pack| pack.taken.iter().all(|taken| matches!(taken, Taken::All));
-        n_full += packs[n_full..].iter().take_while(|pack| is_full(pack)).count();
-        let place =
-            |pack: &mut Pack| pack.taken.iter_mut().position(|taken| taken.take(lines.as_deref()));
-        let found = packs[n_full..]
-            .iter_mut()
-            .enumerate()
-            .find_map(|(idx, pack)| place(pack).map(|along| (n_full + idx, along)));
-        let (idx, along) = found.unwrap_or_else(|| {
-            let mut pack = Pack::default();
-            let along = place(&mut pack).unwrap_or(0);
-            packs.push(pack);
-            (packs.len() - 1, along)
-        });
-        packs[idx].members.push(PackedVariable {
-            variable,
-            scale,
-            turned: Some([axis, along]),
-            lines,
-        });
-    }
-    for pack in packs {
-        let mut members = pack.members;
-        // One alone stays where it is.
-        if let [only] = &mut members[..] {
-            only.turned = None;
-            only.lines = None;
-        }
-        alone.push(members);
-    }
-    alone
 }

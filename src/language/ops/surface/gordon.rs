@@ -41,6 +41,7 @@ op! {
     refuses "gordon(u = [line((0, 0), (1, 0)), line((0, 1), (1, 1))], v = [line((0, 0, 2), (0, 1, 2)), line((1, 0), (1, 1))])" => "E0609: `line((0, 1), (1, 1))` and `v[0]` do not meet: they are 2 apart at (0, 1, 1), more than the tolerance 1e-6; another pair does not meet either";
     refuses "gordon(u = [line((0, 0), (1, 0))], v = [line((0, 0), (0, 1)), line((1, 0), (1, 1))])" => "E0401: a network needs 2 curves `u` or more, found 1";
     derivative affine;
+    settling super::moving::NETWORK;
     scene r#"
         curves u = [for y in [0, 2, 4]: bezier((0, y, 0), (2, y, 4 - y/2), (4, y, 0))] with (color = "red")
         curves v = [for x in [0, 4]: line((x, 0), (x, 4))] with (color = "green")

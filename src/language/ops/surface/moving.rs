@@ -34,6 +34,37 @@ pub(super) static GRID: Settling = Settling {
     moving: None,
 };
 
+/// Of a network of curves.
+pub(super) static NETWORK: Settling = Settling {
+    parameter: "at_u",
+    applies: |_| false,
+    known: None,
+    held: Some(held_meetings),
+    moving: None,
+};
+
+/// Curves of a network that are run through as they are go on to meet at the parameters where they do, where they move
+/// and meet at all.
+fn held_meetings(report: &Record) -> Vec<(&'static str, Value)> {
+    let is_as_given = |curve: &Value| {
+        let Value::Record(curve) = curve else { return false };
+        ["reversed", "trimmed", "reparametrized", "refitted"]
+            .into_iter()
+            .all(|change| matches!(curve.get(change), Some(Value::Bool(false))))
+    };
+    let are_as_given = ["u", "v"].into_iter().all(
+        |family| matches!(report.get(family), Some(Value::List(all)) if all.iter().all(is_as_given)),
+    );
+    let is_whole = ["repeated_u", "repeated_v"]
+        .into_iter()
+        .all(|entry| matches!(report.get(entry), Some(Value::List(all)) if all.is_empty()));
+    let found = |entry: &'static str| report.get(entry).map(|found| (entry, found.clone()));
+    match (found("at_u"), found("at_v")) {
+        (Some(at_u), Some(at_v)) if are_as_given && is_whole => vec![at_u, at_v],
+        _ => Vec::new(),
+    }
+}
+
 /// Sections that run beside one another as they are go on to do so where they move a little.
 fn held_alignment(report: &Record) -> Vec<(&'static str, Value)> {
     match is_as_given(report) {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::{
     diag::{Result, Spanned},
-    value::{Ctx, NumberFormat, Value, op},
+    value::{Ctx, NumberFormat, Value, op, varies},
 };
 
 op! {
@@ -30,6 +30,9 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<String> {
+    if varies(&args.value.value) {
+        ctx.caller.made_varying_text();
+    }
     let (digits, unit) = (args.digits, args.unit);
     let blamed = unit.as_ref().map(|unit| unit.span).or(digits.map(|digits| digits.span));
     let format = NumberFormat::new(

@@ -2,7 +2,7 @@
 
 use crate::{
     diag::Result,
-    value::{Ctx, Value, op},
+    value::{Ctx, Value, op, varies},
 };
 
 op! {
@@ -16,6 +16,9 @@ op! {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<String> {
+    if varies(&args.value) {
+        ctx.caller.made_varying_text();
+    }
     Ok(match &args.value {
         Value::Text(text) => text.to_string(),
         other => other.in_unit(ctx.unit).to_string(),

@@ -1,0 +1,177 @@
+//! Slopes of what is affine, from steps of several variables at once.
+
+use super::{
+    affine::{Differences, HALVINGS, Line, all_moved, sparse},
+    numbers::NumberPlaces,
+    packed::{Growth, MovingNumbers, Pack},
+    reach::{Moved, PointReach},
+};
+use crate::limits::work;
+
+/// How many times fewer steps variables have to take that are moved as they are, before that is tried.
+const FEWER_AS_THEY_ARE: usize = 4;
+
+/// By how many control points more is reached than told beside where a curve is cut.
+const WIDER: f64 = 3.0;
+
+/// How variables are moved together.
+#[derive(Clone, Copy)]
+enum Way {
+    /// Each along a coordinate that is free.
+    Turned(Reach),
+    /// Each as it is, beside those that reach other points.
+    AsTheyAre,
+}
+
+/// Which points of an answer a control point may reach.
+#[derive(Clone, Copy)]
+enum Reach {
+    /// Those that the first ones tell.
+    Narrow,
+    /// A few more.
+    Wide,
+    Any,
+}
+
+impl Way {
+    /// The way that serves most often and costs least comes first.
+    const ALL: [Self; 4] = [
+        Self::Turned(Reach::Narrow),
+        Self::AsTheyAre,
+        Self::Turned(Reach::Wide),
+        Self::Turned(Reach::Any),
+    ];
+}
+
+/// Variables by those that are moved together.
+struct Packed {
+    answer: NumberPlaces,
+    /// What those do that were moved first.
+    known: Vec<Vec<Growth>>,
+    /// The others.
+    packs: Vec<Pack>,
+}
+
+impl Differences<'_> {
+    /// The same from steps of several variables at once; none where they do not go together.
+    pub(super) fn together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
+        let moving = MovingNumbers::new(self.args, all_moved(self.args, &[])?, n_variables)?;
+        let first = moving.first_ones();
+        if first.is_empty()
+            && let Some(points) = moving.by_points()
+            && let Some(lines) = self.through_points(&moving, &points)
+        {
+            return Some(lines);
+        }
+        let mut is_reach_known = false;
+        for way in Way::ALL {
+            let has_sense = match way {
+                Way::Turned(Reach::Any) => first.is_empty() || is_reach_known,
+                Way::Turned(Reach::Wide) => is_reach_known,
+                Way::Turned(Reach::Narrow) | Way::AsTheyAre => !first.is_empty(),
+            };
+            if has_sense && let Some(packed) = self.packed(&moving, &first, way) {
+                is_reach_known |= packed.packs.iter().any(Pack::is_in_part);
+                if let Some(lines) = self.lines_of(&moving, packed) {
+                    return Some(lines);
+                }
+            }
+        }
+        None
+    }
+
+    /// The same where variables move many control points each: from what each of these does by itself.
+    fn through_points(
+        &mut self,
+        moving: &MovingNumbers,
+        points: &MovingNumbers,
+    ) -> Option<Vec<Growth>> {
+        let packed = self.packed(points, &points.first_ones(), Way::Turned(Reach::Narrow))?;
+        let Packed { answer, known, packs } = packed;
+        if moving.variables().len() < 2 * packs.len() {
+            return None;
+        }
+        let measured = self.measured(points, &packs, &answer)?;
+        let mut of_points: Vec<Growth> = known.into_iter().chain(measured).flatten().collect();
+        of_points.sort_by_key(|own| own.variable);
+        let mut lines = Vec::new();
+        for variable in moving.variables() {
+            // The slopes of all numbers by all variables may be more than there is room for.
+            if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
+                return None;
+            }
+            let step = libm::ldexp(self.unit_step(variable)?, -HALVINGS[0]);
+            let mut growth = vec![0.0; answer.numbers.len()];
+            moving.add_through((variable, step), (points, &of_points), &mut growth);
+            lines.push(Growth { variable, step, growth: sparse(&growth) });
+        }
+        self.are_straight(lines.iter()).then_some(lines)
+    }
+
+    /// Variables by those that are moved together, the first ones moved; none where hardly any go together.
+    fn packed(&mut self, moving: &MovingNumbers, first: &[[Moved; 2]], way: Way) -> Option<Packed> {
+        let answer = NumberPlaces::of([&self.base]);
+        let is_turning = matches!(way, Way::Turned(_));
+        let margin = match way {
+            Way::Turned(Reach::Any) => None,
+            Way::Turned(Reach::Wide) => Some(WIDER),
+            Way::Turned(Reach::Narrow) | Way::AsTheyAre => Some(0.0),
+        };
+        let first = if margin.is_some() { first } else { &[] };
+        let moved_first: Vec<usize> = first.iter().flatten().map(|moved| moved.variable).collect();
+        let packs = moving.packs(&moved_first, &[], &answer, is_turning);
+        let known = self.measured(moving, &packs, &answer)?;
+        let grown =
+            |moved: Moved| known.iter().flatten().find(|line| line.variable == moved.variable);
+        let reach = |pair: &[Moved; 2]| {
+            let [a, b] = [grown(pair[0])?, grown(pair[1])?];
+            let reach = PointReach::new(pair, [&a.growth, &b.growth], (&answer, margin?));
+            Some((pair[0], reach))
+        };
+        let reaches = first.iter().map(reach).collect::<Option<Vec<_>>>()?;
+        let mut others = moving.variables();
+        others.retain(|variable| !moved_first.contains(variable));
+        let packs = moving.packs(&others, &reaches, &answer, is_turning);
+        let fewer = if is_turning { 1 } else { FEWER_AS_THEY_ARE };
+        // What mixes coordinates seems to reach all where two are moved along others.
+        let is_mixed = is_turning
+            && !packs.iter().any(Pack::is_in_part)
+            && known.iter().any(|own| 1 < own.len() && !self.are_straight(own.iter()));
+        let is_fewer = fewer * packs.len() < others.len();
+        (is_fewer && !is_mixed).then_some(Packed { answer, known, packs })
+    }
+
+    /// The growths of variables by steps of packs of them, each held against these.
+    fn measured(
+        &mut self,
+        moving: &MovingNumbers,
+        packs: &[Pack],
+        answer: &NumberPlaces,
+    ) -> Option<Vec<Vec<Growth>>> {
+        let args = moving.args(packs)?;
+        let mut together = Differences {
+            args: &args,
+            base: self.base.clone(),
+            run: &mut *self.run,
+            plain: self.plain.clone(),
+        };
+        let lines = together.lines(packs.len()).ok()?;
+        let apart =
+            |line: &Line| packs[line.variable].taken_apart((line.step, &line.growth), answer);
+        Some(lines.iter().map(apart).collect())
+    }
+
+    /// The growths by all variables; none where they do not go together, which those that do not bend one another tell.
+    fn lines_of(&mut self, moving: &MovingNumbers, packed: Packed) -> Option<Vec<Growth>> {
+        let Packed { answer, known: mut by_pack, packs } = packed;
+        by_pack.extend(self.measured(moving, &packs, &answer)?);
+        if !self.are_straight(by_pack.iter().flatten()) {
+            for own in &by_pack {
+                if !self.are_straight(own.iter()) {
+                    return None;
+                }
+            }
+        }
+        Some(by_pack.into_iter().flatten().collect())
+    }
+}
