@@ -3366,7 +3366,7 @@ def normal_plane(c: Curve, t: float, *, side: str | None = None) -> Frame:
 
 
 def num(text: str) -> float:
-    """Number that a text spells. Nobody has said what it measures, as of a coordinate. Derivatives end at texts: it counts as fixed, whatever the text was made of.
+    """Number that a text spells. Nobody has said what it measures, as of a coordinate. No derivative passes through a text: where one was made of what is differentiated, it is refused.
 
     :param text: The text, such as "12.5" or "1e-3".
 

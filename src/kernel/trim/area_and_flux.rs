@@ -129,7 +129,8 @@ mod tests {
         let about = DVec3::new(1.0, -2.0, 0.5);
         for surface in surfaces {
             let whole = Face::whole(Arc::new(surface.expect("a surface")), Tolerance::DEFAULT);
-            let parts = whole.and_then(|whole| whole.split(&[cutter.clone()], Tolerance::DEFAULT));
+            let parts = whole
+                .and_then(|whole| whole.split(std::slice::from_ref(&cutter), Tolerance::DEFAULT));
             for part in parts.expect("parts") {
                 let by_areas = AreaAndFlux::by_areas(&part, about).expect("an integral").values;
                 let round =

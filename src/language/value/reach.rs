@@ -138,7 +138,7 @@ impl AxisReach {
             let way = speed * from_to(0, along);
             *low = low.min(b.start as f64 - way);
             *high = high.max(b.end as f64 - way);
-            let is_even = a.len() == b.len() && speed.abs() == 1.0;
+            let is_even = a.len() == b.len() && speed.abs().total_cmp(&1.0).is_eq();
             if !is_even {
                 (*low, *high) = (*low - 1.0, *high + 1.0);
             }
