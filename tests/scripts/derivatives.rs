@@ -243,6 +243,71 @@ fn derivatives_through_whole_operations_agree_with_central_differences() {
 
 /// Models of several operations, as functions of a place, and the place.
 const MODELS: &[(&str, &str)] = &[
+    // Of many control points, so that those move together that reach other parts of what is made.
+    (
+        "x => trim(bspline([for i in 0..29: (i, x[i], x[i]^2)], degree = 3), 0.13..0.61)(0.3).y + trim(bspline([for i in 0..29: (i, x[i])], degree = 3), 0.13..0.61)(0.14).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => split(bspline([for i in 0..29: (i, x[i])], degree = 3), 0.47)[1](0.5).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => rotate(reversed(bspline([for i in 0..29: (i, x[i])], degree = 3)), 30deg)(0.1).x",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => rotate(interpolate([for i in 0..29: (i, x[i])], parameters = [for i in 0..29: i]), 30deg, about = (1, 1, 1))(4.2).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => elevate(bspline([for i in 0..29: (i, x[i])], degree = 3), 5)(0.37).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => insert_knot(bspline([for i in 0..29: (i, x[i])], degree = 3), 0.371)(0.37).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => decompose(bspline([for i in 0..29: (i, x[i])], degree = 3))[4](0.16).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => revolve(bspline([for i in 0..29: (9 + x[i], 0, i)], degree = 3))(0.3, 0.4).x",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => revolve(interpolate([for i in 0..29: (9 + x[i], 0, i)]))(0.3, 0.4).x",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => extrude(interpolate([for i in 0..29: (i, x[i])]), (1, 0, 5))(0.3, 0.4).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => swung(bspline([for i in 0..14: (9 + x[i], 0, i)], degree = 3), bspline([for i in 0..14: (cos(i*3deg)*(5 + x[15 + i]), sin(i*3deg), 0)], degree = 3))(0.3, 0.4).x",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => ruled(bspline([for i in 0..14: (i, 0, x[i])], degree = 3), bspline([for i in 0..14: (i, 5, x[15 + i])], degree = 4))(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => hermite([for i in 0..14: (i, x[i])], [for i in 0..14: (1, x[15 + i])])(0.3).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => insert_knot(bspline([for i in 0..4: [for j in 0..5: (i, j, x[6*i + j])]], degree = 3), v = 0.31)(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => coons(u = [bspline([for j in 0..7: (j, 0, x[j])], degree = 3), bspline([for j in 0..7: (j, 7, x[8 + j])], degree = 3)], v = [bspline([for j in 0..7: (0, j, if j == 0 then x[0] else if j == 7 then x[8] else x[15 + j])], degree = 3), bspline([for j in 0..7: (7, j, if j == 0 then x[7] else if j == 7 then x[15] else x[21 + j])], degree = 3)])(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => gordon(u = [for j in [0, 5]: interpolate([for i in 0..4: (i, j, x[5*j + i])], parameters = [for i in 0..4: i/4])], v = [for i in [0, 4]: interpolate([for j in 0..5: (i, j, x[5*j + i])], parameters = [for j in 0..5: j/5])])(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
     ("p => length(interpolate([(0, 0), p, (4, 0)]))", "(2, 1)"),
     (
         "p => length(interpolate([(0, 0), p, (4, 0), (6, 1), (8, -1)], parameters = \"centripetal\"))",

@@ -17,11 +17,13 @@ use crate::{
 /// See [`VariedSurface::through_grid`](crate::VariedSurface::through_grid).
 ///
 /// ```
-/// use virote_kernel::{Ends, GridLines, Parametrization};
+/// use virote_kernel::{Ends, GridLines, Interpolator};
 ///
-/// let lines =
-///     GridLines { degree: 3, ends: Ends::Bessel, parameters: &[0.0, 0.4, 1.0], rule: Some(Parametrization::Chord) };
-/// assert_ne!(lines.rule, Some(Parametrization::Uniform));
+/// // A cubic for each of two spans.
+/// let lines = GridLines { degree: 3, ends: Ends::Bessel, parameters: &[0.0, 0.4, 1.0], rule: None };
+/// let fit = Interpolator::new(lines.parameters, lines.degree, lines.ends)?;
+/// assert_eq!(fit.knots().as_slice(), [0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0]);
+/// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct GridLines<'a> {

@@ -108,7 +108,7 @@ impl LeastProblem<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Answers, ConstrainedLeast, LeastEnd, LeastProblem};
+    use super::{Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted};
 
     const FREE: [f64; 2] = [-f64::INFINITY, f64::INFINITY];
 
@@ -187,6 +187,34 @@ mod tests {
         // Held off from a circle from outside.
         let outside = found(height, &[0.0, 2.0], &[[-3.0, 3.0]; 2], 0);
         assert!((outside.values[0] + 3.0).abs() < 1e-9, "{outside:?}");
+    }
+
+    #[test]
+    fn places_that_gradients_beside_hold_are_left_along_kinks() {
+        // Nesterov's function of two unknowns, and of three: all but one of 2ⁿ⁻¹ places are none of the least.
+        let nesterov = |x: &[f64], wanted| {
+            let sign = |value: f64| if value < 0.0 { -1.0 } else { 1.0 };
+            let mut value = 0.25 * (x[0] - 1.0).abs();
+            let mut slopes = vec![0.0; x.len()];
+            slopes[0] = 0.25 * sign(x[0] - 1.0);
+            for i in 1..x.len() {
+                let off = x[i] - 2.0 * x[i - 1].abs() + 1.0;
+                value += off.abs();
+                slopes[i] += sign(off);
+                slopes[i - 1] -= 2.0 * sign(off) * sign(x[i - 1]);
+            }
+            let gradients = (wanted == Wanted::Gradients).then(|| vec![slopes]);
+            Ok::<_, ()>(Answers { values: vec![value], gradients })
+        };
+        for start in [[-1.0, 1.0], [0.0, -1.0], [-0.5, 0.3], [-2.0, -2.0]] {
+            let problem = LeastProblem { start: &start, bounds: &[FREE; 2], n_equations: 0 };
+            check(&problem.find(nesterov).expect("no failure"), &[1.0; 2]);
+        }
+        for start in [[-1.0, 1.0, 1.0], [0.0, -1.0, 1.0], [-0.5, 0.3, 0.1]] {
+            let problem = LeastProblem { start: &start, bounds: &[FREE; 3], n_equations: 0 };
+            let found = problem.find(nesterov).expect("no failure");
+            assert!(found.end != LeastEnd::Settled || found.values[0] < 1e-9, "{found:?}");
+        }
     }
 
     #[test]

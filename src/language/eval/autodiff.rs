@@ -97,8 +97,8 @@ fn settled(
     ctx: &mut Ctx<'_>,
     call: &Call,
 ) -> Result<Option<Value>> {
-    let is_moving = (settling.applies)(call);
-    if !is_moving && settling.held.is_none() && settling.known.is_none() {
+    let moving = settling.moving.filter(|(applies, _)| applies(call)).map(|(_, moving)| moving);
+    if moving.is_none() && settling.held.is_none() && settling.known.is_none() {
         return Ok(None);
     }
     let n_before = ctx.caller.n_warnings();
@@ -111,7 +111,7 @@ fn settled(
     {
         return Ok(Some(Value::JetSurface(varied.into())));
     }
-    if is_moving && settling.moving.is_none() || !is_moving && settling.held.is_none() {
+    if moving.is_none() && settling.held.is_none() {
         ctx.caller.keep_warnings(n_before);
         return Ok(None);
     }
@@ -126,17 +126,16 @@ fn settled(
     for (name, value) in settling.held.map(|held| held(&report)).unwrap_or_default() {
         hold(name, value);
     }
-    if is_moving {
+    if moving.is_some() {
         hold(settling.parameter, found.clone());
     }
     let is_of_shape = is_of_shape(op, &held);
     let fixed = beside(op, is_of_shape, ctx, held);
     ctx.caller.keep_warnings(n_warnings);
-    if !is_moving {
+    let Some(moving) = moving else {
         return Ok(fixed.ok().and_then(|fixed| with_form_of(&fixed, &answer)));
-    }
+    };
     let Value::JetSurface(fixed) = fixed? else { return Ok(None) };
-    let Some(moving) = settling.moving else { return Ok(None) };
     let moved = moving(call, &fixed, found).at(call.span)?;
     Ok(moved.and_then(|moved| with_form_of(&Value::JetSurface(moved.into()), &answer)))
 }

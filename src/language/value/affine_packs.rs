@@ -11,6 +11,9 @@ use crate::limits::work;
 /// How many times fewer steps variables have to take that are moved as they are, before that is tried.
 const FEWER_AS_THEY_ARE: usize = 4;
 
+/// The same of those that are moved beside others that reach other points.
+const FEWER_IN_PART: usize = 5;
+
 /// By how many control points more is reached than told beside where a curve is cut.
 const WIDER: f64 = 3.0;
 
@@ -63,15 +66,17 @@ impl Differences<'_> {
         {
             return Some(lines);
         }
-        let mut is_reach_known = false;
+        let (mut has_parts, mut has_wholes) = (false, false);
         for way in Way::ALL {
             let has_sense = match way {
-                Way::Turned(Reach::Any) => first.is_empty() || is_reach_known,
-                Way::Turned(Reach::Wide) => is_reach_known,
+                Way::Turned(Reach::Any) => !has_wholes,
+                Way::Turned(Reach::Wide) => has_parts,
                 Way::Turned(Reach::Narrow) | Way::AsTheyAre => !first.is_empty(),
             };
             if has_sense && let Some(packed) = self.packed(&moving, &first, way) {
-                is_reach_known |= packed.packs.iter().any(Pack::is_in_part);
+                let is_in_part = packed.packs.iter().any(Pack::is_in_part);
+                has_parts |= is_in_part;
+                has_wholes |= !is_in_part;
                 if let Some(lines) = self.lines_of(&moving, packed) {
                     return Some(lines);
                 }
@@ -101,8 +106,7 @@ impl Differences<'_> {
                 return None;
             }
             let step = libm::ldexp(self.unit_step(variable)?, -HALVINGS[0]);
-            let mut growth = vec![0.0; answer.numbers.len()];
-            moving.add_through((variable, step), (points, &of_points), &mut growth);
+            let growth = moving.grown_through((variable, step), (points, &of_points), &answer);
             lines.push(Growth { variable, step, growth: sparse(&growth) });
         }
         self.are_straight(lines.iter()).then_some(lines)
@@ -132,7 +136,11 @@ impl Differences<'_> {
         let mut others = moving.variables();
         others.retain(|variable| !moved_first.contains(variable));
         let packs = moving.packs(&others, &reaches, &answer, is_turning);
-        let fewer = if is_turning { 1 } else { FEWER_AS_THEY_ARE };
+        let fewer = match packs.iter().any(Pack::is_in_part) {
+            true => FEWER_IN_PART,
+            false if is_turning => 1,
+            false => FEWER_AS_THEY_ARE,
+        };
         // What mixes coordinates seems to reach all where two are moved along others.
         let is_mixed = is_turning
             && !packs.iter().any(Pack::is_in_part)

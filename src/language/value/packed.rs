@@ -12,7 +12,7 @@ use super::{
     numbers::{NumberPlaces, NumberSlopes, OTHER_NUMBER, SparseNumbers, slopes},
     reach::{Moved, PointReach},
 };
-use crate::limits::work;
+use crate::{kernel::tolerance::LAST_BIT, limits::work};
 
 /// How many coordinates a point has, and so how many variables go together that move all of an answer.
 const N_AXES: usize = 3;
@@ -71,33 +71,47 @@ impl MovingNumbers {
 
     /// The same with a variable for each control point that moves, along the first coordinate; none where anything else does.
     pub(super) fn by_points(&self) -> Option<Self> {
-        let mut points = Vec::new();
-        for (at, _) in self.slopes.iter().flatten() {
-            let (axis, point) = self.places.numbers[*at];
-            self.places.in_net(point).filter(|_| axis != OTHER_NUMBER)?;
-            points.push(point);
+        let mut is_moving = vec![false; self.places.points.len()];
+        for own in &self.slopes {
+            let largest = own.iter().fold(0.0, |most: f64, (_, slope)| most.max(slope.abs()));
+            for (at, slope) in own {
+                let (axis, point) = self.places.numbers[*at];
+                self.places.in_net(point)?;
+                // Weights may move by the rounding of what stands still.
+                let is_nothing = slope.abs() <= LAST_BIT.sqrt() * largest;
+                match axis == OTHER_NUMBER {
+                    false => is_moving[point] = true,
+                    true if is_nothing => {}
+                    true => return None,
+                }
+            }
         }
-        points.sort_unstable();
-        points.dedup();
-        let slopes = points.iter().map(|point| vec![(self.places.points[*point], 1.0)]).collect();
+        let firsts = self.places.points.iter().zip(is_moving).filter(|(_, is_moving)| *is_moving);
+        let slopes = firsts.map(|(first, _)| vec![(*first, 1.0)]).collect();
         Some(Self { held: self.held.clone(), places: self.places.clone(), slopes })
     }
 
-    /// Adds the growth of so many steps of a variable, from those with each control point, which are variables of another.
-    pub(super) fn add_through(
+    /// The growth of an answer over so many steps of a variable, from those with each control point, which are variables of
+    /// another, each along the first coordinate.
+    pub(super) fn grown_through(
         &self,
         (variable, step): (usize, f64),
         (points, of_points): (&Self, &[Growth]),
-        growth: &mut [f64],
-    ) {
-        for (at, slope) in &self.slopes[variable] {
-            let (axis, point) = self.places.numbers[*at];
+        answer: &NumberPlaces,
+    ) -> Vec<f64> {
+        let mut growth = vec![0.0; answer.numbers.len()];
+        let places =
+            self.slopes[variable].iter().map(|(at, slope)| (self.places.numbers[*at], slope));
+        for ((axis, point), slope) in places.filter(|((axis, _), _)| *axis != OTHER_NUMBER) {
             let first = self.places.points[point];
             let own = points.slopes.binary_search_by_key(&first, |own| own[0].0);
-            let Ok(own) = own.map(|idx| &of_points[idx]) else { continue };
+            let Some(own) = own.ok().and_then(|idx| of_points.get(idx)) else { continue };
             let factor = step * slope / own.step;
-            own.growth.iter().for_each(|(at, grown)| growth[at + axis] += factor * grown);
+            // Other coordinates move where an operation mixes them, which the variables as they are tell.
+            let along = own.growth.iter().filter(|(at, _)| answer.numbers[*at].0 == 0);
+            along.for_each(|(at, grown)| growth[at + axis] += factor * grown);
         }
+        growth
     }
 
     /// The variables that move something.

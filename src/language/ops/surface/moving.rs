@@ -12,36 +12,29 @@ use crate::{
         Curve, Ends, GeomError, Grid, GridLines, NurbsSurface, Parametrization, PointSlopes,
         SectionParameters, VariedCurve, VariedSurface,
     },
-    ops::curve::fit::{Parameters, moves_knots},
+    ops::curve::fit::Parameters,
     value::{Call, FromValue, Record, Settling, Value, Vector, slopes_by_variable, varies},
 };
 
 /// Of a skin by a rule.
 pub(super) static SKIN: Settling = Settling {
     parameter: "parameters",
-    applies: is_skin_by_rule,
     known: Some(skin_through_sections),
     held: Some(held_alignment),
-    moving: Some(moving_skin),
+    moving: Some((is_skin_by_rule, moving_skin)),
 };
 
 /// Of a surface through a grid of points.
 pub(super) static GRID: Settling = Settling {
     parameter: "parameters",
-    applies: is_grid_by_rule,
     known: Some(grid_through_points),
     held: None,
     moving: None,
 };
 
 /// Of a network of curves.
-pub(super) static NETWORK: Settling = Settling {
-    parameter: "at_u",
-    applies: |_| false,
-    known: None,
-    held: Some(held_meetings),
-    moving: None,
-};
+pub(super) static NETWORK: Settling =
+    Settling { parameter: "at_u", known: None, held: Some(held_meetings), moving: None };
 
 /// Curves of a network that are run through as they are go on to meet at the parameters where they do, where they move
 /// and meet at all.
@@ -162,10 +155,6 @@ fn moving_skin(
     let listed = Vec::<f64>::from_value(parameters, Span::default());
     let (Some(rule), Some(degree), Ok(listed)) = (rule, degree, listed) else { return Ok(None) };
     fixed.with_moving_sections(rule, degree, &listed)
-}
-
-fn is_grid_by_rule(call: &Call) -> bool {
-    moves_knots(call) && has_only(call, &["points", "degree", "parameters", "ends"])
 }
 
 /// A surface through points, which tell the slopes of its control points.
