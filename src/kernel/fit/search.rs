@@ -396,33 +396,3 @@ impl FitSearch<'_> {
         Err(if least.is_finite() { least } else { self.tolerance })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use glam::DVec3;
-
-    use super::FitSearch;
-
-    #[test]
-    fn of_high_degrees_neither_way_comes_to_fewer_control_points() {
-        let n = 900_u32;
-        let parameters: Vec<f64> = (0..n).map(|i| f64::from(i) / f64::from(n - 1)).collect();
-        let sine = |&t: &f64| DVec3::new(10.0 * t, libm::sin(13.0 * t), 0.0);
-        let points: Vec<DVec3> = parameters.iter().map(sine).collect();
-        for degree in 4..=7 {
-            let search = || FitSearch {
-                points: &points,
-                degree,
-                tolerance: 1e-5,
-                are_fixed: false,
-                are_listed: false,
-                most: points.len(),
-                left: crate::ceiling::FIT_STEPS,
-            };
-            let found = search().run(&parameters).expect("a curve").n_control();
-            let thinned = search().run_by_thinning(&parameters).expect("a curve").n_control();
-            let balanced = search().run_on_balanced_samples(&parameters).map(|f| f.n_control());
-            assert_eq!(found, balanced.map_or(thinned, |n| n.min(thinned)), "degree {degree}");
-        }
-    }
-}
