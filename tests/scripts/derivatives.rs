@@ -305,6 +305,10 @@ const MODELS: &[(&str, &str)] = &[
         "[for i in 0..29: sin(i)]",
     ),
     (
+        "x => edge_surface([bspline([for j in 0..7: (j, 0, x[j])], degree = 3), bspline([for j in 0..7: (7, j, if j == 0 then x[7] else if j == 7 then x[15] else x[21 + j])], degree = 3), bspline([for j in 0..7: (j, 7, x[8 + j])], degree = 3), bspline([for j in 0..7: (0, j, if j == 0 then x[0] else if j == 7 then x[8] else x[15 + j])], degree = 3)])(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
         "x => gordon(u = [for j in [0, 5]: interpolate([for i in 0..4: (i, j, x[5*j + i])], parameters = [for i in 0..4: i/4])], v = [for i in [0, 4]: interpolate([for j in 0..5: (i, j, x[5*j + i])], parameters = [for j in 0..5: j/5])])(0.3, 0.4).z",
         "[for i in 0..29: sin(i)]",
     ),

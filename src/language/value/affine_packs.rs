@@ -22,6 +22,8 @@ const WIDER: f64 = 3.0;
 enum Way {
     /// Each along a coordinate that is free.
     Turned(Reach),
+    /// The same, with what each curve or surface of a list reaches told by its own control points.
+    TurnedApart,
     /// Each as it is, beside those that reach other points.
     AsTheyAre,
 }
@@ -38,8 +40,9 @@ enum Reach {
 
 impl Way {
     /// The way that serves most often and costs least comes first.
-    const ALL: [Self; 4] = [
+    const ALL: [Self; 5] = [
         Self::Turned(Reach::Narrow),
+        Self::TurnedApart,
         Self::AsTheyAre,
         Self::Turned(Reach::Wide),
         Self::Turned(Reach::Any),
@@ -71,9 +74,20 @@ impl Differences<'_> {
             let has_sense = match way {
                 Way::Turned(Reach::Any) => !has_wholes,
                 Way::Turned(Reach::Wide) => has_parts,
+                Way::TurnedApart => has_parts && moving.has_lists(),
                 Way::Turned(Reach::Narrow) | Way::AsTheyAre => !first.is_empty(),
             };
-            if has_sense && let Some(packed) = self.packed(&moving, &first, way) {
+            if !has_sense {
+                continue;
+            }
+            let packed = match way {
+                Way::TurnedApart => {
+                    let apart = moving.apart();
+                    self.packed(&apart, &apart.first_ones(), way)
+                }
+                _ => self.packed(&moving, &first, way),
+            };
+            if let Some(packed) = packed {
                 let is_in_part = packed.packs.iter().any(Pack::is_in_part);
                 has_parts |= is_in_part;
                 has_wholes |= !is_in_part;
@@ -115,11 +129,11 @@ impl Differences<'_> {
     /// Variables by those that are moved together, the first ones moved; none where hardly any go together.
     fn packed(&mut self, moving: &MovingNumbers, first: &[[Moved; 2]], way: Way) -> Option<Packed> {
         let answer = NumberPlaces::of([&self.base]);
-        let is_turning = matches!(way, Way::Turned(_));
+        let is_turning = !matches!(way, Way::AsTheyAre);
         let margin = match way {
             Way::Turned(Reach::Any) => None,
             Way::Turned(Reach::Wide) => Some(WIDER),
-            Way::Turned(Reach::Narrow) | Way::AsTheyAre => Some(0.0),
+            Way::Turned(Reach::Narrow) | Way::TurnedApart | Way::AsTheyAre => Some(0.0),
         };
         let first = if margin.is_some() { first } else { &[] };
         let moved_first: Vec<usize> = first.iter().flatten().map(|moved| moved.variable).collect();

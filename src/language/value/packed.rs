@@ -114,6 +114,24 @@ impl MovingNumbers {
         growth
     }
 
+    /// Whether several curves or surfaces stand in a list, so that they are taken for alike.
+    pub(super) fn has_lists(&self) -> bool {
+        let mut lists = self.places.nets.iter().filter_map(|net| net.list).peekable();
+        while let Some(list) = lists.next() {
+            if lists.peek() == Some(&list) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// The same with none of them taken for alike.
+    pub(super) fn apart(&self) -> Self {
+        let mut places = self.places.clone();
+        places.nets.iter_mut().for_each(|net| net.list = None);
+        Self { held: self.held.clone(), places, slopes: self.slopes.clone() }
+    }
+
     /// The variables that move something.
     pub(super) fn variables(&self) -> Vec<usize> {
         (0..self.slopes.len()).filter(|&variable| !self.slopes[variable].is_empty()).collect()
