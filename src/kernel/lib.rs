@@ -205,6 +205,7 @@ pub use numeric::{
     integral::{Integral, find_integral, find_sized_integral},
     integral_error::{IntegralError, IntegralReason},
     least::find_least,
+    least_place::find_least_place,
     least_pole::find_pole,
     least_problem::{LeastEnd, LeastProblem},
     least_squares::{LeastSquares, find_least_squares},

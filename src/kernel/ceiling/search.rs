@@ -131,6 +131,12 @@ pub(crate) const HEAVIER_CONDITIONS: usize = 6;
 /// Times that a place beside conditions is led back onto them, each with one question.
 pub(crate) const CONDITION_CORRECTIONS: usize = 4;
 
+/// Ever wider brackets in which slopes are asked for the last digits of the place of a least value, at most.
+pub(crate) const LEAST_BRACKETS: usize = 6;
+
+/// Steps of Newton's method for the last digits of the place where such a search settled, at most.
+pub(crate) const LEAST_REFINEMENTS: usize = 6;
+
 /// Unknowns of such a search whose curvature is looked at where it ends, by half their square of questions at most.
 pub(crate) const CURVATURE_UNKNOWNS: usize = 200;
 

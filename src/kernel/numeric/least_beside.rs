@@ -35,15 +35,17 @@ pub(super) struct Bracket {
 }
 
 /// How a function bends.
-struct Bending {
+pub(super) struct Bending {
     /// Ways that are left free, so long that it bends by one along each.
-    ways: Vec<Vec<f64>>,
+    pub(super) ways: Vec<Vec<f64>>,
     /// By how much longer than one they are.
     stretch: Vec<f64>,
     /// The axes of its curvature by those ways, each with how it bends along it.
-    axes: Vec<(f64, Vec<f64>)>,
+    pub(super) axes: Vec<(f64, Vec<f64>)>,
     /// The conditions that hold the place.
-    held: Vec<usize>,
+    pub(super) held: Vec<usize>,
+    /// What each function counts for in it: those that hold the place by how much they do.
+    pub(super) shares: Vec<f64>,
 }
 
 impl<F, E> LeastSearch<'_, F>
@@ -66,11 +68,12 @@ where
         {
             return Ok(true);
         }
-        if let Some(bending) = bending
-            && self.leaves_along(&bending)?
+        if let Some(bending) = &bending
+            && self.leaves_along(bending)?
         {
             return Ok(true);
         }
+        self.bending = bending.filter(|_| !is_kinked);
         self.is_unproven = false;
         // Of so many unknowns that the hull takes too long, planes that were nowhere above the function count.
         let is_many = KINK_HULL_UNKNOWNS[0] < self.place.len() && !self.asked.has_differences;
@@ -198,11 +201,12 @@ where
             true => (0..n).map(|k| axis(n, k)).collect(),
             false => free_ways(&holding, n),
         };
-        let Some(mut curvature) = self.curvature(&ways, &holding)? else { return Ok(None) };
+        let shares = self.shares(&holding);
+        let Some(mut curvature) = self.curvature(&ways, &shares)? else { return Ok(None) };
         let stretch = even_out(&mut ways, &mut curvature);
         let axes = symmetric_axes(curvature);
         let held = holding.iter().map(|condition| condition.idx).collect();
-        Ok(Some(Bending { ways, stretch, axes, held }))
+        Ok(Some(Bending { ways, stretch, axes, held, shares }))
     }
 
     /// Whether a place is lower along a way on which the function does not bend up; the search goes there.
@@ -225,22 +229,25 @@ where
         Ok(false)
     }
 
+    /// What the function and each condition count for, where some of these hold it.
+    fn shares(&self, holding: &[HoldingCondition]) -> Vec<f64> {
+        let mut shares = vec![0.0; self.values.len()];
+        shares[0] = 1.0;
+        for held in holding {
+            if let Some(share) = shares.get_mut(held.idx + 1) {
+                *share = -held.multiplier;
+            }
+        }
+        shares
+    }
+
     /// The curvature along and between ways of the function with the conditions that hold it: by gradients beside,
     /// or by values where it has none. None where something has no value beside.
-    fn curvature(
-        &mut self,
-        ways: &[Vec<f64>],
-        holding: &[HoldingCondition],
-    ) -> Result<Option<Vec<Vec<f64>>>, E> {
-        let n_conditions = self.values.len() - 1;
-        let mut shares = vec![0.0; n_conditions + 1];
-        shares[0] = 1.0;
-        let given = holding.iter().filter(|condition| condition.idx < n_conditions);
-        given.for_each(|condition| shares[condition.idx + 1] = -condition.multiplier);
+    fn curvature(&mut self, ways: &[Vec<f64>], shares: &[f64]) -> Result<Option<Vec<Vec<f64>>>, E> {
         let base = self.inner_place();
         let bends = match self.asked.has_differences {
-            true => self.bends_of_values(&base, ways, &shares)?,
-            false => self.bends_of_gradients(&base, ways, &shares)?,
+            true => self.bends_of_values(&base, ways, shares)?,
+            false => self.bends_of_gradients(&base, ways, shares)?,
         };
         Ok(Some(bends).filter(|bends| bends.iter().flatten().all(|bend| bend.is_finite())))
     }
@@ -289,12 +296,7 @@ where
         shares: &[f64],
     ) -> Result<Vec<Vec<f64>>, E> {
         let reaches: Vec<f64> = ways.iter().map(|way| self.curvature_reach(way)).collect();
-        let slopes = |gradients: &[Vec<f64>]| -> Vec<f64> {
-            let slope = |way: &Vec<f64>| {
-                gradients.iter().zip(shares).map(|(slopes, share)| share * dot(slopes, way)).sum()
-            };
-            ways.iter().map(slope).collect()
-        };
+        let slopes = |gradients: &[Vec<f64>]| slopes_along(ways, gradients, shares);
         let here = match self.is_free() {
             true => slopes(&self.slopes),
             false => slopes(&self.gradients_at(base)?),
@@ -318,6 +320,14 @@ where
         let place: Vec<f64> = moved.map(|(k, (x, unit))| x + part(k) * unit).collect();
         clamped(&place, self.problem.bounds)
     }
+}
+
+/// How functions change together along ways, by their gradients and what each counts for.
+pub(super) fn slopes_along(ways: &[Vec<f64>], gradients: &[Vec<f64>], shares: &[f64]) -> Vec<f64> {
+    let slope = |way: &Vec<f64>| {
+        gradients.iter().zip(shares).map(|(slopes, share)| share * dot(slopes, way)).sum()
+    };
+    ways.iter().map(slope).collect()
 }
 
 pub(super) fn axis(n: usize, along: usize) -> Vec<f64> {

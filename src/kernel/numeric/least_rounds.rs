@@ -55,7 +55,10 @@ impl LeastProblem<'_> {
             let end = search.end()?;
             let floor = before.floor(&mut search, self.start, end)?;
             let place = match floor {
-                Floor::Told => return Ok(search.ended_by(LeastEnd::Settled)),
+                Floor::Told => {
+                    search.refine()?;
+                    return Ok(search.ended_by(LeastEnd::Settled));
+                }
                 Floor::Other(end) => return Ok(before.told(search.ended_by(end))),
                 Floor::Lower(place) => place,
             };

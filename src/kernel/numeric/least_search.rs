@@ -5,6 +5,7 @@
 
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
+    least_beside::Bending,
     least_model::{CurvatureModel, ModelStep, Terms, magnitude},
     least_problem::{LeastEnd, LeastProblem},
     least_trail::LeastTrail,
@@ -62,6 +63,8 @@ pub(super) struct LeastSearch<'a, F> {
     pub(super) start_merit: f64,
     /// The weighted gradients where the first descent begins, until it does.
     first_gradients: Option<Vec<Vec<f64>>>,
+    /// How the function bends where it settled, but beside kinks.
+    pub(super) bending: Option<Bending>,
     /// The curvature where the next steps begin, where that was measured.
     pub(super) curvature: Option<CurvatureModel>,
     /// The curvature that the last descent learned.
@@ -95,6 +98,7 @@ where
             trail: LeastTrail::default(),
             beside: Vec::new(),
             first_gradients: None,
+            bending: None,
             curvature: None,
             learned: None,
             left_by: 0.0,

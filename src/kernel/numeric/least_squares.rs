@@ -2,11 +2,14 @@
 
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
-    symmetric_band::SymmetricBand,
+    normal_equations::NormalEquations,
 };
 use crate::{
     ceiling::LEAST_SQUARES_STEPS,
-    tolerance::{DAMPING_FIRST, SQUARES_AT_ROOT, SQUARES_IN_VALLEY, STEP_REST_RELATIVE},
+    tolerance::{
+        DAMPING_FIRST, LAST_BIT, LEAST_PROBE_RELATIVE, SQUARES_AT_ROOT, SQUARES_IN_VALLEY,
+        STEP_REST_RELATIVE,
+    },
 };
 
 /// Where an iteration towards the least squares ended.
@@ -78,6 +81,9 @@ pub fn find_least_squares<E>(
         }
         way = search.go_on()?;
     }
+    if way.is_settled {
+        search.refine()?;
+    }
     let SquaresSearch { asked, unknowns, residuals, first_residuals, .. } = search;
     let moved: Vec<f64> = unknowns.iter().zip(start).map(|(x, start)| x - start).collect();
     let size = largest(&unknowns).max(largest(&moved)).max(f64::MIN_POSITIVE);
@@ -85,6 +91,9 @@ pub fn find_least_squares<E>(
     let (is_settled, n_evaluations) = (way.is_settled, asked.n_evaluations);
     Ok(LeastSquares { unknowns, residuals, first_residuals, is_settled, rest, n_evaluations })
 }
+
+/// Last bits of the least squares by which those at a place that slopes tell may be more: both are rounded.
+const SQUARES_ROUNDINGS: f64 = 16.0;
 
 /// Times that a search goes on from where Newton's steps lead out of a narrow valley.
 const LEAPS: usize = 4;
@@ -182,6 +191,33 @@ where
         Ok(way)
     }
 
+    /// Goes on by undamped steps where squares are left, though these stay the same to rounding, as long as each step is half
+    /// as long as the one before or less: squares tell half of the digits of a place, slopes all of them.
+    fn refine(&mut self) -> Result<(), E> {
+        let left = squares(&self.residuals);
+        let most = (1.0 + SQUARES_ROUNDINGS * LAST_BIT) * left;
+        let mut reach = LEAST_PROBE_RELATIVE * largest(&self.unknowns);
+        for _ in 0..LEAST_SQUARES_STEPS {
+            let is_root = left <= SQUARES_AT_ROOT * squares(&self.first_residuals);
+            if is_root || self.asked.has_differences {
+                break;
+            }
+            let gradients = self.asked.gradients(&self.unknowns, self.bounds)?;
+            let step = self.equations(&gradients).step(STEP_REST_RELATIVE);
+            let length = largest(&step);
+            if !is_moved(&self.unknowns, &step) || !length.is_finite() || reach <= length {
+                break;
+            }
+            let moved = clamped(&plus(&self.unknowns, &step), self.bounds);
+            let residuals = self.asked.values(&moved)?;
+            if most < squares(&residuals) {
+                break;
+            }
+            (self.unknowns, self.residuals, reach) = (moved, residuals, 0.5 * length);
+        }
+        Ok(())
+    }
+
     /// Goes to where steps of Newton lead, up and down, if no more than a share of the squares is left there.
     fn leaps(&mut self, left: f64) -> Result<bool, E> {
         let (mut unknowns, mut residuals) = (self.unknowns.clone(), self.residuals.clone());
@@ -255,61 +291,9 @@ fn is_moved(unknowns: &[f64], step: &[f64]) -> bool {
         .any(|(step, x)| STEP_REST_RELATIVE * x.abs().max(STEP_REST_RELATIVE * size) < step.abs())
 }
 
-/// The equations of the step to the least squares of functions that were linear.
-struct NormalEquations {
-    /// Products of the columns, by rows.
-    products: Vec<Vec<f64>>,
-    /// Products of the columns and the residuals, with the other sign.
-    right: Vec<f64>,
-}
-
-impl NormalEquations {
-    fn new(gradients: &[Vec<f64>], residuals: &[f64]) -> Self {
-        let n = gradients.first().map_or(0, Vec::len);
-        let (mut products, mut right) = (vec![vec![0.0; n]; n], vec![0.0; n]);
-        for (gradient, residual) in gradients.iter().zip(residuals) {
-            for (k, slope) in gradient.iter().enumerate() {
-                right[k] -= slope * residual;
-                products[k].iter_mut().zip(gradient).for_each(|(sum, other)| *sum += slope * other);
-            }
-        }
-        Self { products, right }
-    }
-
-    /// Lets an unknown stay as it is.
-    fn hold(&mut self, k: usize) {
-        self.right[k] = 0.0;
-        self.products.iter_mut().for_each(|row| row[k] = 0.0);
-        self.products[k].fill(0.0);
-    }
-
-    /// The step with a damping, which is a share of each diagonal coefficient.
-    fn step(&self, damping: f64) -> Vec<f64> {
-        let n = self.right.len();
-        let most = (0..n).map(|k| self.products[k][k]).fold(0.0, f64::max);
-        let least = if 0.0 < most { most * STEP_REST_RELATIVE } else { 1.0 };
-        let mut equations = SymmetricBand::new(n, n);
-        for (row, products) in self.products.iter().enumerate() {
-            for (column, product) in products.iter().enumerate().skip(row) {
-                let more = if column == row {
-                    damping * product.max(least) + least * damping
-                } else {
-                    0.0
-                };
-                equations.set(row, column, product + more);
-            }
-        }
-        let mut step = self.right.clone();
-        match equations.solve(&mut step) {
-            Some(()) if step.iter().all(|part| part.is_finite()) => step,
-            _ => vec![0.0; n],
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{LeastSquares, find_least_squares};
+    use super::{Answers, LeastSquares, find_least_squares};
 
     fn found(functions: fn(&[f64]) -> Vec<f64>, start: &[f64]) -> LeastSquares {
         find_least_squares(|x, _| Ok::<_, ()>(functions(x).into()), start, &[]).expect("no failure")
@@ -352,6 +336,25 @@ mod tests {
     fn more_functions_than_unknowns_are_least_in_their_squares() {
         let mean = found(|x| [1.0, 2.0, 6.0].map(|y| x[0] - y).to_vec(), &[0.0]);
         assert!((mean.unknowns[0] - 3.0).abs() < 1e-8 && mean.is_settled, "{mean:?}");
+    }
+
+    #[test]
+    fn slopes_tell_all_digits_of_where_squares_are_least() {
+        let mean = |x: &[f64], _| {
+            let values = [1.0, 2.0, 6.0].map(|y| x[0] - y).to_vec();
+            Ok::<_, ()>(Answers { values, gradients: Some(vec![vec![1.0]; 3]) })
+        };
+        let found = find_least_squares(mean, &[0.0], &[]).expect("no failure");
+        assert!((found.unknowns[0] - 3.0).abs() < 1e-15, "{found:?}");
+        // The point of y = x² that is nearest to (3/2, 0) and (-1/2, 0) together: 4x³ + 2x = 1.
+        let parabola = |x: &[f64], _| {
+            let [x, y] = [x[0], x[0] * x[0]];
+            let gradients = Some(vec![vec![1.0], vec![2.0 * x], vec![1.0], vec![2.0 * x]]);
+            Ok::<_, ()>(Answers { values: vec![x - 1.5, y, x + 0.5, y], gradients })
+        };
+        let found = find_least_squares(parabola, &[1.0], &[]).expect("no failure");
+        let x = found.unknowns[0];
+        assert!((4.0 * x * x * x + 2.0 * x - 1.0).abs() < 1e-14, "{found:?}");
     }
 
     #[test]

@@ -7,13 +7,17 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted, find_least, find_pole,
-        tolerance::CONDITION_RELATIVE,
+        Answers, ConstrainedLeast, LeastEnd, LeastProblem, Sample, Wanted, find_least,
+        find_least_place, find_pole,
+        tolerance::{CONDITION_RELATIVE, LAST_BIT},
     },
     value::{
         Callback, CommonDimension, Ctx, FromValue, IntoValue, Number, Real, Record, Relation, Value,
     },
 };
+
+/// Last bits of a best value by which one at a place that slopes tell may be worse: both are rounded.
+const BEST_ROUNDINGS: f64 = 16.0;
 
 /// Which values are better.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -99,9 +103,39 @@ impl BestSearch {
                 .hint("it has a pole there: let the range end beside it")
                 .fail();
         }
+        let (found, n_slopes) = self.refined(ctx, range, better, found)?;
         let value = Number { value: sign * found.value, dim: dim.dimension() };
         let place = range.found_by(dim.known()).place(found.at).into_value();
-        Ok(self.answer(place, value, (n_asked, "none")))
+        let slopes = if 0 < n_slopes { "exact" } else { "none" };
+        Ok(self.answer(place, value, (n_asked + n_slopes, slopes)))
+    }
+
+    /// The best place of one number to its last digit, where derivatives tell it, and how often these were asked for.
+    fn refined(
+        &self,
+        ctx: &mut Ctx<'_>,
+        range: &SearchRange,
+        better: Extreme,
+        found: Sample,
+    ) -> Result<(Sample, usize)> {
+        let start = Spanned::new(range.place(found.at).into_value(), self.f.span);
+        let unknowns = Unknowns::new(&start)?;
+        let mut asking = Asking::new(ctx, &self.f, &[], better);
+        let (mut n_asked, mut is_known) = (0, false);
+        let at = find_least_place(
+            |at| {
+                n_asked += 1;
+                let slopes = asking.answers(&unknowns, &[at], Wanted::Gradients)?.gradients;
+                is_known |= slopes.is_some();
+                Ok::<_, Box<Diagnostic>>(slopes.map(|slopes| slopes[0][0]))
+            },
+            range.ends,
+            found.at,
+        )?;
+        let value = asking.answers(&unknowns, &[at], Wanted::Values)?.values[0];
+        let is_better = value <= found.value + BEST_ROUNDINGS * LAST_BIT * found.value.abs();
+        let refined = if is_better { Sample { at, value } } else { found };
+        Ok((refined, if is_known { n_asked } else { 0 }))
     }
 
     /// The answer, or the record that tells how it was found.
@@ -152,14 +186,7 @@ impl BestSearch {
         if let Some(start) = &self.start {
             unknowns.check_inside(&bounds, start.span)?;
         }
-        let mut asking = Asking {
-            ctx,
-            f: &self.f,
-            conditions,
-            better,
-            dim: CommonDimension::default(),
-            known: None,
-        };
+        let mut asking = Asking::new(ctx, &self.f, conditions, better);
         // The first question tells what there is, and its mistakes are the script's.
         asking.ask(&unknowns.with(&unknowns.values))?;
         let n_equations = asking.known.as_ref().map_or(0, |(_, n_equations)| *n_equations);
@@ -218,7 +245,16 @@ struct Asking<'a, 'c> {
     known: Option<(Vec<Span>, usize)>,
 }
 
-impl Asking<'_, '_> {
+impl<'a, 'c> Asking<'a, 'c> {
+    fn new(
+        ctx: &'a mut Ctx<'c>,
+        f: &'a Spanned<Callback>,
+        conditions: &'a [Spanned<Callback>],
+        better: Extreme,
+    ) -> Self {
+        Self { ctx, f, conditions, better, dim: CommonDimension::default(), known: None }
+    }
+
     /// The answers at a place; where something has no value, numbers that are not finite.
     fn answers(&mut self, unknowns: &Unknowns, values: &[f64], wanted: Wanted) -> Result<Answers> {
         let n = self.known.as_ref().map_or(0, |(spans, _)| spans.len());
