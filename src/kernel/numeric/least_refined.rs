@@ -39,6 +39,11 @@ impl<F, E> LeastSearch<'_, F>
 where
     F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
 {
+    fn is_step_rounding(&self, step: &[f64]) -> bool {
+        let mut parts = step.iter().zip(&self.place).zip(&self.units);
+        parts.all(|((step, x), unit)| (step * unit).abs() <= 0.5 * LAST_BIT * x.abs())
+    }
+
     /// Goes from where the search settled to where its gradients vanish, as long as each step makes them less and the value
     /// is the same to rounding.
     pub(super) fn refine(&mut self) -> Result<(), E> {
@@ -49,10 +54,14 @@ where
             let gradients = search.gradients_at(place)?;
             Ok(slopes_along(&bending.ways, &gradients, &bending.shares))
         };
-        let mut slopes = slopes_at(self, &self.place.clone())?;
+        let mut slopes = match self.is_free() {
+            true => slopes_along(&bending.ways, &self.slopes, &bending.shares),
+            false => slopes_at(self, &self.place.clone())?,
+        };
         for _ in 0..LEAST_REFINEMENTS {
             let Some(step) = bending.newton_step(&slopes) else { break };
-            if LEAST_PROBE_RELATIVE < magnitude(&step) {
+            let is_still = 1 == self.values.len() && self.is_step_rounding(&step);
+            if is_still || LEAST_PROBE_RELATIVE < magnitude(&step) {
                 break;
             }
             let (place, values) = self.led_along(&step, 1.0, &bending.held)?;
