@@ -249,6 +249,6 @@ pub use trim::{
     pieces_facing_unlike, tessellate_together,
 };
 pub use varied::{
-    PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion, VariedSolid, VariedSurface,
-    VariedWall, stay_closed,
+    PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion,
+    VariedSolid, VariedSurface, VariedWall, stay_closed,
 };

@@ -28,7 +28,10 @@ use std::{ops::Range, sync::Arc};
 use glam::{DVec3, DVec4};
 
 use self::{asked::AskedSlopes, listed::ListedSlopes, rows::VariableRows};
-use super::{CountError, GeomError, Grid, Jet, tolerance::{EXACT_RELATIVE, LAST_BIT}};
+use super::{
+    CountError, GeomError, Grid, Jet,
+    tolerance::{EXACT_RELATIVE, LAST_BIT},
+};
 
 pub(crate) use asked::{AllSlopes, SlopeWays};
 pub use body::RegionWay;
@@ -169,6 +172,15 @@ impl PointSlopes {
     /// The points that a variable moves, and the slopes of all by it; none if it moves none.
     pub(crate) fn moving_with(&self, variable: usize) -> Option<(Range<usize>, &[DVec4])> {
         self.listed().moving_with(variable)
+    }
+
+    /// Whether each variable moves one of the points at most, as far as is known without asking for slopes.
+    #[must_use]
+    pub fn move_one_each(&self) -> bool {
+        match &self.form {
+            SlopeForm::Listed(listed) => listed.moving().all(|(_, moving, _)| moving.len() == 1),
+            SlopeForm::Asked(_) => self.is_fixed(),
+        }
     }
 
     /// Along which coordinates each point may move; none where weights move, but for the rounding of what stands still.

@@ -15,6 +15,18 @@ use super::{PointSlopes, SlopeWays};
 use crate::{CountError, GeomError, Jet, work};
 
 /// How points grow with others: entries of a matrix, each with the point that is made, the one that is given, and how.
+///
+/// A quarter turn about z of the only point, which moves along x:
+///
+/// ```
+/// use virote_kernel::{PointFactors, PointMap, PointSlopes, glam::{DMat3, DVec3, DVec4}};
+///
+/// let given = PointSlopes::new(1, 1, vec![(0, vec![DVec4::X])])?;
+/// let turn = DMat3::from_cols(DVec3::Y, -DVec3::X, DVec3::Z);
+/// let map = PointMap::new(vec![given], 1, PointFactors::Mixed(vec![(0, 0, turn)]))?;
+/// assert_eq!(map.grown(&[DVec3::X]), [DVec3::Y]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub enum PointFactors {
     /// Each coordinate with the same one, all alike.
@@ -300,10 +312,7 @@ mod tests {
     fn given() -> Vec<PointSlopes> {
         let first = vec![(0, vec![DVec4::X, DVec4::Y]), (1, vec![DVec4::ZERO, DVec4::Z * 2.0])];
         let second = vec![(1, vec![DVec4::new(1.0, 2.0, 3.0, 0.0)])];
-        vec![
-            PointSlopes::new(2, 2, first).unwrap(),
-            PointSlopes::new(2, 1, second).unwrap(),
-        ]
+        vec![PointSlopes::new(2, 2, first).unwrap(), PointSlopes::new(2, 1, second).unwrap()]
     }
 
     fn check(factors: PointFactors, expected: [[DVec3; 2]; 2]) {
@@ -331,10 +340,7 @@ mod tests {
         let last = DVec3::new(1.0, 2.0, 3.0);
         check(
             PointFactors::Alike(alike),
-            [
-                [DVec3::new(2.0, 1.0, 0.0), DVec3::Y * 0.5],
-                [DVec3::Z * 2.0, DVec3::Z - last],
-            ],
+            [[DVec3::new(2.0, 1.0, 0.0), DVec3::Y * 0.5], [DVec3::Z * 2.0, DVec3::Z - last]],
         );
         // A quarter turn about z, and a coordinate alone.
         let turn = DMat3::from_cols(DVec3::Y, -DVec3::X, DVec3::Z);

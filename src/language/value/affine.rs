@@ -184,7 +184,10 @@ impl<'a> Differences<'a> {
 
     /// By how much the numbers grow over some steps; none where there is no answer, and some error where
     /// it has another form.
-    pub(super) fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
+    pub(super) fn growth(
+        &mut self,
+        steps: Steps<'_>,
+    ) -> std::result::Result<Vec<f64>, NoDerivative> {
         let there = all_moved(self.args, steps)
             .and_then(|args| (self.run)(&args).ok())
             .ok_or(NoDerivative::NoAnswer)?;

@@ -88,7 +88,10 @@ impl Differences<'_> {
                 // What mixes coordinates seems to reach all where two are moved along others.
                 let is_mixed = is_turning
                     && !is_in_part
-                    && packed.known.iter().any(|own| 1 < own.len() && !self.are_straight(own.iter()));
+                    && packed
+                        .known
+                        .iter()
+                        .any(|own| 1 < own.len() && !self.are_straight(own.iter()));
                 if !is_mixed && let Some(lines) = self.lines_of(&moving, packed) {
                     return Some(lines);
                 }
@@ -98,7 +101,12 @@ impl Differences<'_> {
     }
 
     /// Variables by those that are moved together, the first ones moved; none where hardly any go together.
-    pub(super) fn packed(&mut self, moving: &MovingNumbers, first: &[[Moved; 2]], way: Way) -> Option<Packed> {
+    pub(super) fn packed(
+        &mut self,
+        moving: &MovingNumbers,
+        first: &[[Moved; 2]],
+        way: Way,
+    ) -> Option<Packed> {
         let answer = NumberPlaces::of([&self.base]);
         let is_turning = !matches!(way, Way::AsTheyAre);
         let margin = match way {

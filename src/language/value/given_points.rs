@@ -77,7 +77,8 @@ impl GivenPoints {
         let place = |own: &GivenPoint| [0, 1, 2].map(|axis| all[own.numbers[0] + axis].to_bits());
         let mut order: Vec<usize> = (0..self.moving.len()).collect();
         order.sort_by_key(|&idx| (place(&self.moving[idx]), idx));
-        let at_one_place = order.chunk_by(|&a, &b| place(&self.moving[a]) == place(&self.moving[b]));
+        let at_one_place =
+            order.chunk_by(|&a, &b| place(&self.moving[a]) == place(&self.moving[b]));
         let mut is_joined = vec![false; self.moving.len()];
         let mut joined: Vec<(usize, GivenPoint)> = Vec::new();
         for group in at_one_place.filter(|group| 1 < group.len()) {
@@ -115,18 +116,19 @@ impl GivenPoints {
         MovingNumbers::of_slopes(self.held.clone(), self.places.clone(), slopes)
     }
 
-    /// A direction for all points at once, or for those of a set, along all coordinates in which they move, as the only
-    /// variable of the arguments; and how far it goes for each point.
-    pub(super) fn at_once(&self, set: Option<usize>) -> Option<(Vec<Value>, Vec<DVec3>)> {
+    /// The arguments with one variable, along which each of some points goes so far for a step of one; and how far each
+    /// of all goes.
+    pub(super) fn at_once(
+        &self,
+        step: impl Fn(usize, &GivenPoint) -> DVec3,
+    ) -> Option<(Vec<Value>, Vec<DVec3>)> {
         let n_points: usize = self.sets.iter().map(PointSlopes::n_points).sum();
         let (mut steps, mut all) = (vec![DVec3::ZERO; n_points], SparseNumbers::new());
-        let is_wanted = |own: &&GivenPoint| set.is_none_or(|set| own.set == set);
-        for (idx, own) in self.moving.iter().filter(is_wanted).enumerate() {
-            for axis in (0..3).filter(|&axis| own.is_along[axis]) {
-                let golden = (3 * idx + axis + 1) as f64 * 0.618_033_988_749_894_9;
-                let step = golden.fract() - 0.5;
-                steps[own.point][axis] = step;
-                all.extend(own.numbers.iter().map(|first| (first + axis, step)));
+        for (idx, own) in self.moving.iter().enumerate() {
+            let step = step(idx, own);
+            steps[own.point] = step;
+            for axis in (0..3).filter(|&axis| 0.0 < step[axis].abs()) {
+                all.extend(own.numbers.iter().map(|first| (first + axis, step[axis])));
             }
         }
         all.sort_by_key(|(at, _)| *at);
@@ -134,6 +136,17 @@ impl GivenPoints {
         let mut seeds = NumberSlopes::new(1, &by_variable);
         let args: Option<Vec<Value>> = self.held.iter().map(|arg| seeds.value(arg)).collect();
         Some((args?, steps))
+    }
+}
+
+impl GivenPoint {
+    /// A step along the coordinates in which it moves, unlike those of other points.
+    pub(super) fn own_step(&self, idx: usize) -> DVec3 {
+        let along = |axis: usize| {
+            let golden = (3 * idx + axis + 1) as f64 * 0.618_033_988_749_894_9;
+            if self.is_along[axis] { golden.fract() - 0.5 } else { 0.0 }
+        };
+        DVec3::from([0, 1, 2].map(along))
     }
 }
 
@@ -157,9 +170,9 @@ impl GivenWalk {
             Value::JetCurve(curve) => self.net(Some(curve.slopes().clone())),
             Value::JetSurface(surface) => self.net(Some(surface.slopes().clone())),
             Value::JetPoint(jets) => self.points(1, &[(0, jets)])?,
-            Value::Curve(Curve::Nurbs(_))
-            | Value::Surface(Surface::Nurbs(_))
-            | Value::Point(_) => self.net(None),
+            Value::Curve(Curve::Nurbs(_)) | Value::Surface(Surface::Nurbs(_)) | Value::Point(_) => {
+                self.net(None)
+            }
             Value::List(items) => {
                 let all: Vec<Value> = items.values().collect();
                 let is_point = |item: &Value| matches!(item, Value::Point(_) | Value::JetPoint(_));

@@ -70,7 +70,11 @@ impl MovingNumbers {
     }
 
     /// Of arguments without derivatives, whose numbers have these slopes by each variable.
-    pub(super) fn of_slopes(held: Vec<Value>, places: NumberPlaces, slopes: Vec<SparseNumbers>) -> Self {
+    pub(super) fn of_slopes(
+        held: Vec<Value>,
+        places: NumberPlaces,
+        slopes: Vec<SparseNumbers>,
+    ) -> Self {
         Self { held, places, slopes }
     }
 
