@@ -312,6 +312,39 @@ const MODELS: &[(&str, &str)] = &[
         "x => gordon(u = [for j in [0, 5]: interpolate([for i in 0..4: (i, j, x[5*j + i])], parameters = [for i in 0..4: i/4])], v = [for i in [0, 4]: interpolate([for j in 0..5: (i, j, x[5*j + i])], parameters = [for j in 0..5: j/5])])(0.3, 0.4).z",
         "[for i in 0..29: sin(i)]",
     ),
+    // Of control points that many variables move each, through the matrix of what is made of them.
+    (
+        "x => trim(reversed(interpolate([for i in 0..29: (i, x[i])])), 0.2..0.8)(0.3).y + elevate(split(interpolate([for i in 0..29: (i, x[i])]), 0.5)[1], 4)(0.7).y",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => edge(interpolate([for i in 0..4: [for j in 0..5: (i, j, x[6*i + j])]]), \"u0\")(0.3).z + edges(rotate(interpolate([for i in 0..4: [for j in 0..5: (i, j, x[6*i + j])]]), 30deg, axis = (1, 1, 1)))[2](0.3).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => rotate(scale(interpolate([for i in 0..14: (x[i], x[15 + i], i)]), (1, 2, 3)), 40deg, axis = (1, 2, 3))(0.3).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => swung(interpolate([for i in 0..14: (9 + x[i], 0, i)], parameters = [for i in 0..14: i]), interpolate([for i in 0..14: (cos(i*3deg)*(5 + x[15 + i]), sin(i*3deg), 0)], parameters = [for i in 0..14: i]))(3.3, 4.4).x",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => coons(u = [interpolate([for j in 0..7: (j, 0, x[j])], parameters = [for j in 0..7: j/7]), interpolate([for j in 0..7: (j, 7, x[8 + j])], parameters = [for j in 0..7: j/7])], v = [interpolate([for j in 0..7: (0, j, if j == 0 then x[0] else if j == 7 then x[8] else x[15 + j])], parameters = [for j in 0..7: j/7]), interpolate([for j in 0..7: (7, j, if j == 0 then x[7] else if j == 7 then x[15] else x[21 + j])], parameters = [for j in 0..7: j/7])])(0.3, 0.4).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => edit_points(bspline([for i in 0..14: (i, x[i], x[15 + i])]))[7].z + de_casteljau(bezier([for i in 0..14: (i, x[i], x[15 + i])]), 0.3)[9][2].y + control_net(bspline([for i in 0..4: [for j in 0..5: (i, j, x[6*i + j])]]))[7](0.3).z",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => corner_surface((0, x[0]), (1, x[1]), (1, 1 + x[2]), (x[3], 1, x[4]))(0.3, 0.4).y + length(translate(bspline([for i in 0..24: (i, x[5 + i])]), (x[3], x[4])))",
+        "[for i in 0..29: sin(i)]",
+    ),
+    (
+        "x => rotate(nurbs([for i in 0..14: (i, x[i], x[15 + i])], weights = [for i in 0..14: 1 + i % 3]), 30deg, axis = (1, 1, 1))(0.4).y + curvature(elevate(nurbs([for i in 0..14: (i, x[i], x[15 + i])], weights = [for i in 0..14: 1 + i % 3]), 4), 0.4)",
+        "[for i in 0..29: sin(i)]",
+    ),
     ("p => length(interpolate([(0, 0), p, (4, 0)]))", "(2, 1)"),
     (
         "p => length(interpolate([(0, 0), p, (4, 0), (6, 1), (8, -1)], parameters = \"centripetal\"))",

@@ -53,6 +53,19 @@ impl AskedSlopes {
         Self { variables, ways, by_point, n_sums: AtomicUsize::new(0), listed: OnceLock::new() }
     }
 
+    pub(super) fn variables(&self) -> &[usize] {
+        &self.variables
+    }
+
+    /// Adds the slopes of a sum of the points, with a factor for each, to those by all variables.
+    pub(super) fn add_sum(&self, factors: &[f64], total: &mut [DVec3]) {
+        if factors.iter().all(|factor| factor.abs() <= 0.0) {
+            return;
+        }
+        let own = (self.ways.sums)(factors);
+        self.variables.iter().zip(own).for_each(|(&variable, slope)| total[variable] += slope);
+    }
+
     pub(super) fn is_fixed(&self) -> bool {
         self.variables.is_empty()
     }

@@ -27,6 +27,12 @@ impl ListedSlopes {
         let pairs = self.by_variable.iter().zip(&self.moving);
         pairs.map(|((variable, slopes), moving)| (*variable, moving.clone(), &slopes[..]))
     }
+
+    /// The same of one variable; none if it moves none.
+    pub(super) fn moving_with(&self, variable: usize) -> Option<(Range<usize>, &[DVec4])> {
+        let idx = self.by_variable.binary_search_by_key(&variable, |own| own.0).ok()?;
+        Some((self.moving[idx].clone(), &self.by_variable[idx].1))
+    }
 }
 
 /// From which slope on up to which one they are not zero; none where all are.

@@ -17,6 +17,7 @@ pub(crate) mod knots;
 mod length;
 mod listed;
 mod orders;
+mod point_map;
 mod rows;
 mod solid;
 mod surface;
@@ -27,7 +28,10 @@ use std::{ops::Range, sync::Arc};
 use glam::{DVec3, DVec4};
 
 use self::{asked::AskedSlopes, listed::ListedSlopes, rows::VariableRows};
-use super::{CountError, GeomError, Grid, Jet};
+use super::{
+    CountError, GeomError, Grid, Jet,
+    tolerance::{EXACT_RELATIVE, LAST_BIT},
+};
 
 pub(crate) use asked::{AllSlopes, SlopeWays};
 pub use body::RegionWay;
@@ -35,6 +39,7 @@ pub use border::VariedRegion;
 pub use closed::stay_closed;
 pub use curve::VariedCurve;
 pub use flux::SurfaceIntegral;
+pub use point_map::{PointFactors, PointMap};
 pub use solid::VariedSolid;
 pub use surface::VariedSurface;
 pub use wall::VariedWall;
@@ -122,7 +127,8 @@ impl PointSlopes {
     }
 
     /// How many points there are.
-    pub(crate) fn n_points(&self) -> usize {
+    #[must_use]
+    pub fn n_points(&self) -> usize {
         self.n_points
     }
 
@@ -152,6 +158,80 @@ impl PointSlopes {
     /// The same of so many points that so many variables move.
     pub(crate) fn are_asked_of(n_points: usize, n_variables: usize) -> bool {
         n_points < MANY_POINTS * n_variables
+    }
+
+    /// By which variables any of the points may move, in order.
+    #[must_use]
+    pub fn variables(&self) -> Vec<usize> {
+        match &self.form {
+            SlopeForm::Listed(listed) => listed.by_variable.iter().map(|own| own.0).collect(),
+            SlopeForm::Asked(asked) => asked.variables().to_vec(),
+        }
+    }
+
+    /// The points that a variable moves, and the slopes of all by it; none if it moves none.
+    pub(crate) fn moving_with(&self, variable: usize) -> Option<(Range<usize>, &[DVec4])> {
+        self.listed().moving_with(variable)
+    }
+
+    /// Whether each variable moves one of the points at most, as far as is known without asking for slopes.
+    #[must_use]
+    pub fn move_one_each(&self) -> bool {
+        match &self.form {
+            SlopeForm::Listed(listed) => listed.moving().all(|(_, moving, _)| moving.len() == 1),
+            SlopeForm::Asked(_) => self.is_fixed(),
+        }
+    }
+
+    /// Along which coordinates each point may move; none where weights move, but for the rounding of what stands still.
+    #[must_use]
+    pub fn moving_coordinates(&self) -> Option<Vec<[bool; 3]>> {
+        let SlopeForm::Listed(listed) = &self.form else {
+            return Some(vec![[!self.is_fixed(); 3]; self.n_points]);
+        };
+        let mut are_moving = vec![[false; 3]; self.n_points];
+        for (_, moving, slopes) in listed.moving() {
+            let own = &slopes[moving.clone()];
+            let most = |size: fn(&DVec4) -> f64| own.iter().map(size).fold(0.0, f64::max);
+            let weights = most(|slope| slope.w.abs());
+            if 0.0 < weights && LAST_BIT.sqrt() * most(|slope| slope.abs().max_element()) < weights
+            {
+                return None;
+            }
+            for (are_moving, slope) in are_moving[moving].iter_mut().zip(own) {
+                (0..3).for_each(|axis| are_moving[axis] |= 0.0 < slope[axis].abs());
+            }
+        }
+        Some(are_moving)
+    }
+
+    /// Whether a point moves as one of others does, but for rounding.
+    #[must_use]
+    pub fn moves_as(&self, point: usize, other: &Self, other_point: usize) -> bool {
+        let of = |slopes: &Self, point: usize| {
+            let mut factors = vec![0.0; slopes.n_points];
+            factors[point] = 1.0;
+            let mut all = vec![DVec3::ZERO; slopes.n_variables];
+            slopes.add_sum(&factors, &mut all);
+            all
+        };
+        let [own, others] = [of(self, point), of(other, other_point)];
+        let size = own.iter().map(|slope| slope.abs().max_element()).fold(0.0, f64::max);
+        let is_near = |(a, b): (&DVec3, &DVec3)| a.distance(*b) <= EXACT_RELATIVE * size;
+        own.len() == others.len() && own.iter().zip(&others).all(is_near)
+    }
+
+    /// Adds the slopes of a sum of the points, with a factor for each, to those by all variables.
+    pub(crate) fn add_sum(&self, factors: &[f64], total: &mut [DVec3]) {
+        let listed = match &self.form {
+            SlopeForm::Listed(listed) => listed,
+            SlopeForm::Asked(asked) => return asked.add_sum(factors, total),
+        };
+        for (variable, moving, slopes) in listed.moving() {
+            let pairs = slopes[moving.clone()].iter().zip(&factors[moving]);
+            let own: DVec4 = pairs.map(|(&slope, &factor)| slope * factor).sum();
+            total[variable] += own.truncate();
+        }
     }
 
     /// Whether the points depend on no variable.

@@ -167,7 +167,7 @@ impl Line {
     }
 }
 
-pub(super) fn sparse(numbers: &[f64]) -> SparseNumbers {
+fn sparse(numbers: &[f64]) -> SparseNumbers {
     numbers.iter().copied().enumerate().filter(|(_, number)| *number != 0.0).collect()
 }
 
@@ -184,7 +184,10 @@ impl<'a> Differences<'a> {
 
     /// By how much the numbers grow over some steps; none where there is no answer, and some error where
     /// it has another form.
-    fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
+    pub(super) fn growth(
+        &mut self,
+        steps: Steps<'_>,
+    ) -> std::result::Result<Vec<f64>, NoDerivative> {
         let there = all_moved(self.args, steps)
             .and_then(|args| (self.run)(&args).ok())
             .ok_or(NoDerivative::NoAnswer)?;
@@ -232,6 +235,9 @@ impl<'a> Differences<'a> {
 
     /// The answer with its derivatives: first as on straight lines, then as on parabolas.
     fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
+        if let Some(found) = self.through_points(n_variables) {
+            return Ok(found);
+        }
         let by_variable = match self.together(n_variables) {
             Some(lines) => along(lines),
             None => self.each_by_itself(n_variables)?,
@@ -314,7 +320,7 @@ impl<'a> Differences<'a> {
         self.is_near(&c.growth, &expected).then_some(slopes)
     }
 
-    fn is_near(&self, found: &[f64], expected: &[f64]) -> bool {
+    pub(super) fn is_near(&self, found: &[f64], expected: &[f64]) -> bool {
         let size = |all: &[f64]| all.iter().fold(0.0, |most: f64, number| most.max(number.abs()));
         let size = size(&self.plain).max(size(expected));
         found.iter().zip(expected).all(|(a, b)| (a - b).abs() <= AFFINE_RELATIVE * size)

@@ -1,12 +1,11 @@
 //! Slopes of what is affine, from steps of several variables at once.
 
 use super::{
-    affine::{Differences, HALVINGS, Line, all_moved, sparse},
+    affine::{Differences, Line, all_moved},
     numbers::NumberPlaces,
     packed::{Growth, MovingNumbers, Pack},
     reach::{Moved, PointReach},
 };
-use crate::limits::work;
 
 /// How many times fewer steps variables have to take that are moved as they are, before that is tried.
 const FEWER_AS_THEY_ARE: usize = 4;
@@ -19,7 +18,7 @@ const WIDER: f64 = 3.0;
 
 /// How variables are moved together.
 #[derive(Clone, Copy)]
-enum Way {
+pub(super) enum Way {
     /// Each along a coordinate that is free.
     Turned(Reach),
     /// The same, with what each curve or surface of a list reaches told by its own control points.
@@ -30,7 +29,7 @@ enum Way {
 
 /// Which points of an answer a control point may reach.
 #[derive(Clone, Copy)]
-enum Reach {
+pub(super) enum Reach {
     /// Those that the first ones tell.
     Narrow,
     /// A few more.
@@ -50,12 +49,12 @@ impl Way {
 }
 
 /// Variables by those that are moved together.
-struct Packed {
-    answer: NumberPlaces,
+pub(super) struct Packed {
+    pub(super) answer: NumberPlaces,
     /// What those do that were moved first.
-    known: Vec<Vec<Growth>>,
+    pub(super) known: Vec<Vec<Growth>>,
     /// The others.
-    packs: Vec<Pack>,
+    pub(super) packs: Vec<Pack>,
 }
 
 impl Differences<'_> {
@@ -63,12 +62,6 @@ impl Differences<'_> {
     pub(super) fn together(&mut self, n_variables: usize) -> Option<Vec<Growth>> {
         let moving = MovingNumbers::new(self.args, all_moved(self.args, &[])?, n_variables)?;
         let first = moving.first_ones();
-        if first.is_empty()
-            && let Some(points) = moving.by_points()
-            && let Some(lines) = self.through_points(&moving, &points)
-        {
-            return Some(lines);
-        }
         let (mut has_parts, mut has_wholes) = (false, false);
         for way in Way::ALL {
             let has_sense = match way {
@@ -88,10 +81,18 @@ impl Differences<'_> {
                 _ => self.packed(&moving, &first, way),
             };
             if let Some(packed) = packed {
+                let is_turning = !matches!(way, Way::AsTheyAre);
                 let is_in_part = packed.packs.iter().any(Pack::is_in_part);
                 has_parts |= is_in_part;
                 has_wholes |= !is_in_part;
-                if let Some(lines) = self.lines_of(&moving, packed) {
+                // What mixes coordinates seems to reach all where two are moved along others.
+                let is_mixed = is_turning
+                    && !is_in_part
+                    && packed
+                        .known
+                        .iter()
+                        .any(|own| 1 < own.len() && !self.are_straight(own.iter()));
+                if !is_mixed && let Some(lines) = self.lines_of(&moving, packed) {
                     return Some(lines);
                 }
             }
@@ -99,35 +100,13 @@ impl Differences<'_> {
         None
     }
 
-    /// The same where variables move many control points each: from what each of these does by itself.
-    fn through_points(
+    /// Variables by those that are moved together, the first ones moved; none where hardly any go together.
+    pub(super) fn packed(
         &mut self,
         moving: &MovingNumbers,
-        points: &MovingNumbers,
-    ) -> Option<Vec<Growth>> {
-        let packed = self.packed(points, &points.first_ones(), Way::Turned(Reach::Narrow))?;
-        let Packed { answer, known, packs } = packed;
-        if moving.variables().len() < 2 * packs.len() {
-            return None;
-        }
-        let measured = self.measured(points, &packs, &answer)?;
-        let mut of_points: Vec<Growth> = known.into_iter().chain(measured).flatten().collect();
-        of_points.sort_by_key(|own| own.variable);
-        let mut lines = Vec::new();
-        for variable in moving.variables() {
-            // The slopes of all numbers by all variables may be more than there is room for.
-            if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
-                return None;
-            }
-            let step = libm::ldexp(self.unit_step(variable)?, -HALVINGS[0]);
-            let growth = moving.grown_through((variable, step), (points, &of_points), &answer);
-            lines.push(Growth { variable, step, growth: sparse(&growth) });
-        }
-        self.are_straight(lines.iter()).then_some(lines)
-    }
-
-    /// Variables by those that are moved together, the first ones moved; none where hardly any go together.
-    fn packed(&mut self, moving: &MovingNumbers, first: &[[Moved; 2]], way: Way) -> Option<Packed> {
+        first: &[[Moved; 2]],
+        way: Way,
+    ) -> Option<Packed> {
         let answer = NumberPlaces::of([&self.base]);
         let is_turning = !matches!(way, Way::AsTheyAre);
         let margin = match way {
@@ -155,16 +134,12 @@ impl Differences<'_> {
             false if is_turning => 1,
             false => FEWER_AS_THEY_ARE,
         };
-        // What mixes coordinates seems to reach all where two are moved along others.
-        let is_mixed = is_turning
-            && !packs.iter().any(Pack::is_in_part)
-            && known.iter().any(|own| 1 < own.len() && !self.are_straight(own.iter()));
         let is_fewer = fewer * packs.len() < others.len();
-        (is_fewer && !is_mixed).then_some(Packed { answer, known, packs })
+        is_fewer.then_some(Packed { answer, known, packs })
     }
 
     /// The growths of variables by steps of packs of them, each held against these.
-    fn measured(
+    pub(super) fn measured(
         &mut self,
         moving: &MovingNumbers,
         packs: &[Pack],

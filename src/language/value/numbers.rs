@@ -15,7 +15,8 @@ pub(super) const OTHER_NUMBER: usize = 3;
 /// Numbers that are not zero, each with where it stands among all, in this order.
 pub(super) type SparseNumbers = Vec<(usize, f64)>;
 
-/// Points in rows: the control points of a curve, one in each row, those of a surface, or a list of points.
+/// Points in rows: the control points of a curve, one in each row, those of a surface, a list of points, or a point by
+/// itself.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointNet {
     /// How many rows and columns.
@@ -60,7 +61,7 @@ impl NumberPlaces {
 
     fn add(&mut self, value: &Value, list: Option<usize>) {
         match value {
-            Value::Point(_) => self.add_points(1, 3),
+            Value::Point(_) => self.add_net([1, 1], 3, list),
             Value::Curve(Curve::Nurbs(curve)) => {
                 self.add_net([curve.control_points().len(), 1], 4, list);
             }
@@ -83,6 +84,17 @@ impl NumberPlaces {
                 self.numbers.push((OTHER_NUMBER, self.points.len() - 1));
             }),
         }
+    }
+
+    /// Whether several curves or surfaces stand in one list.
+    pub(super) fn has_lists(&self) -> bool {
+        let mut lists = self.nets.iter().filter_map(|net| net.list).peekable();
+        while let Some(list) = lists.next() {
+            if lists.peek() == Some(&list) {
+                return true;
+            }
+        }
+        false
     }
 
     /// The net that a point belongs to, and its row and column there; none where it is in none.

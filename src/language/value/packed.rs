@@ -12,7 +12,7 @@ use super::{
     numbers::{NumberPlaces, NumberSlopes, OTHER_NUMBER, SparseNumbers, slopes},
     reach::{Moved, PointReach},
 };
-use crate::{kernel::tolerance::LAST_BIT, limits::work};
+use crate::limits::work;
 
 /// How many coordinates a point has, and so how many variables go together that move all of an answer.
 const N_AXES: usize = 3;
@@ -69,60 +69,18 @@ impl MovingNumbers {
         Some(Self { held, places, slopes: all })
     }
 
-    /// The same with a variable for each control point that moves, along the first coordinate; none where anything else does.
-    pub(super) fn by_points(&self) -> Option<Self> {
-        let mut is_moving = vec![false; self.places.points.len()];
-        for own in &self.slopes {
-            let largest = own.iter().fold(0.0, |most: f64, (_, slope)| most.max(slope.abs()));
-            for (at, slope) in own {
-                let (axis, point) = self.places.numbers[*at];
-                self.places.in_net(point)?;
-                // Weights may move by the rounding of what stands still.
-                let is_nothing = slope.abs() <= LAST_BIT.sqrt() * largest;
-                match axis == OTHER_NUMBER {
-                    false => is_moving[point] = true,
-                    true if is_nothing => {}
-                    true => return None,
-                }
-            }
-        }
-        let firsts = self.places.points.iter().zip(is_moving).filter(|(_, is_moving)| *is_moving);
-        let slopes = firsts.map(|(first, _)| vec![(*first, 1.0)]).collect();
-        Some(Self { held: self.held.clone(), places: self.places.clone(), slopes })
-    }
-
-    /// The growth of an answer over so many steps of a variable, from those with each control point, which are variables of
-    /// another, each along the first coordinate.
-    pub(super) fn grown_through(
-        &self,
-        (variable, step): (usize, f64),
-        (points, of_points): (&Self, &[Growth]),
-        answer: &NumberPlaces,
-    ) -> Vec<f64> {
-        let mut growth = vec![0.0; answer.numbers.len()];
-        let places =
-            self.slopes[variable].iter().map(|(at, slope)| (self.places.numbers[*at], slope));
-        for ((axis, point), slope) in places.filter(|((axis, _), _)| *axis != OTHER_NUMBER) {
-            let first = self.places.points[point];
-            let own = points.slopes.binary_search_by_key(&first, |own| own[0].0);
-            let Some(own) = own.ok().and_then(|idx| of_points.get(idx)) else { continue };
-            let factor = step * slope / own.step;
-            // Other coordinates move where an operation mixes them, which the variables as they are tell.
-            let along = own.growth.iter().filter(|(at, _)| answer.numbers[*at].0 == 0);
-            along.for_each(|(at, grown)| growth[at + axis] += factor * grown);
-        }
-        growth
+    /// Of arguments without derivatives, whose numbers have these slopes by each variable.
+    pub(super) fn of_slopes(
+        held: Vec<Value>,
+        places: NumberPlaces,
+        slopes: Vec<SparseNumbers>,
+    ) -> Self {
+        Self { held, places, slopes }
     }
 
     /// Whether several curves or surfaces stand in a list, so that they are taken for alike.
     pub(super) fn has_lists(&self) -> bool {
-        let mut lists = self.places.nets.iter().filter_map(|net| net.list).peekable();
-        while let Some(list) = lists.next() {
-            if lists.peek() == Some(&list) {
-                return true;
-            }
-        }
-        false
+        self.places.has_lists()
     }
 
     /// The same with none of them taken for alike.

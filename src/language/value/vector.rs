@@ -26,14 +26,17 @@ impl Vector {
     /// The vector of three coordinates.
     #[must_use]
     pub fn new(coordinates: [Real; 3]) -> Self {
-        let jet = coordinates.iter().find_map(|coordinate| match coordinate {
-            Real::Jet(jet) => Some(jet.clone()),
+        let still = coordinates.iter().find_map(|coordinate| match coordinate {
+            Real::Jet(jet) => Some(jet.same(0.0)),
             Real::Plain(_) => None,
         });
-        match jet {
-            Some(jet) => Self::Jets(Box::new(coordinates.map(|coordinate| coordinate.like(&jet)))),
-            None => Self::Plain(DVec3::from(coordinates.map(|coordinate| coordinate.value()))),
-        }
+        let Some(still) = still else {
+            return Self::Plain(DVec3::from(coordinates.map(|coordinate| coordinate.value())));
+        };
+        Self::Jets(Box::new(coordinates.map(|coordinate| match coordinate {
+            Real::Jet(jet) => jet,
+            Real::Plain(number) => still.same(number),
+        })))
     }
 
     /// The three coordinates.

@@ -1,0 +1,295 @@
+//! Slopes of what an operation makes linearly of control points and lists of points: through the matrix that steps of
+//! these tell.
+//!
+//! However many variables move the points, and however each does, a step of a point tells what it does to the answer; where
+//! points reach different parts of that, or an operation does the same to each coordinate, one step tells of several. What
+//! the variables do is found through the matrix when somebody asks. That an operation is linear in its points is supposed
+//! only: a step of all of them at once, along all coordinates, must make of the answer what the matrix says.
+
+use std::{ops::Range, sync::Arc};
+
+use glam::{DMat3, DVec3};
+
+use super::{
+    IntoValue, Record, Value, Vector,
+    affine::{Differences, HALVINGS},
+    affine_packs::{Packed, Reach, Way},
+    given_points::{GivenPoint, GivenPoints},
+    numbers::{NumberPlaces, OTHER_NUMBER},
+    packed::{Growth, Pack},
+};
+use crate::kernel::{
+    Curve, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
+    tolerance::LAST_BIT,
+};
+
+/// Fewer variables cost less by themselves.
+const FEWEST: usize = 4;
+
+/// How a matrix is looked for: the way that costs least comes first.
+const WAYS: [MapWay; 4] = [
+    MapWay::Selected,
+    MapWay::Steps { steps: Way::Turned(Reach::Wide), is_mixed: false },
+    MapWay::Steps { steps: Way::TurnedApart, is_mixed: false },
+    MapWay::Steps { steps: Way::AsTheyAre, is_mixed: true },
+];
+
+#[derive(Clone, Copy)]
+enum MapWay {
+    /// Each point of the answer moves with one of the given points.
+    Selected,
+    /// By steps of points.
+    Steps {
+        steps: Way,
+        /// Whether coordinates mix, so that a point is moved along each of them.
+        is_mixed: bool,
+    },
+}
+
+/// The places of an answer's numbers, and what it is made of.
+struct Question<'g> {
+    given: &'g GivenPoints,
+    answer: NumberPlaces,
+    /// By how many variables points move.
+    n_moving: usize,
+}
+
+impl Differences<'_> {
+    /// The answer with slopes through the matrix of its points by those given; none where something else moves, or the
+    /// answer is not linear in them, or steps of variables cost less.
+    pub(super) fn through_points(&mut self, n_variables: usize) -> Option<Value> {
+        let given = &GivenPoints::new(self.args, n_variables)?;
+        let n_moving = given.n_variables();
+        if n_moving < FEWEST {
+            return None;
+        }
+        let question = Question { given, answer: NumberPlaces::of([&self.base]), n_moving };
+        let mut was_in_part = false;
+        for way in WAYS {
+            let steps = match way {
+                // Variables that move a point each take no more steps themselves.
+                MapWay::Steps { .. } if given.sets.iter().all(PointSlopes::move_one_each) => break,
+                MapWay::Steps { steps: Way::TurnedApart, .. }
+                    if !was_in_part || !given.places.has_lists() =>
+                {
+                    continue;
+                }
+                MapWay::Steps { steps, is_mixed } => self.factors(&question, steps, is_mixed),
+                MapWay::Selected => self.selected(&question).map(|factors| (factors, false)),
+            };
+            let Some((factors, is_in_part)) = steps else { continue };
+            was_in_part |= is_in_part;
+            let n_made = question.answer.points.len();
+            let map = Arc::new(PointMap::new(given.sets.clone(), n_made, factors).ok()?);
+            if self.is_borne_out(&question, &map) {
+                return Made { map, n_points: 0 }.value(&self.base);
+            }
+        }
+        None
+    }
+
+    /// The matrix of an answer each of whose points moves with one given point, as all at once tell: along the first
+    /// coordinate alike, and along the second as far as their index says.
+    fn selected(&mut self, Question { given, answer, .. }: &Question<'_>) -> Option<PointFactors> {
+        let n = given.moving.len() as f64;
+        let (args, _) = given.at_once(|idx, _| DVec3::new(1.0, (idx + 1) as f64 / n, 0.0))?;
+        let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
+        let mut factors = Vec::new();
+        for (made, &first) in answer.points.iter().enumerate() {
+            let is_point = answer.numbers[first].0 == 0;
+            if !is_point || growth[first].abs() <= 0.0 {
+                continue;
+            }
+            let place = growth[first + 1] / growth[first] * n;
+            let is_whole = (place - place.round()).abs() <= LAST_BIT.sqrt();
+            let idx = is_whole.then_some(place.round() as usize)?;
+            let own = given.moving.get(idx.checked_sub(1)?)?;
+            factors.push((made, own.point, growth[first] / step));
+        }
+        Some(PointFactors::Alike(factors))
+    }
+
+    /// The matrix as steps of points tell it, and whether these were taken to reach a part of the answer each; none where
+    /// that takes more steps than the variables.
+    fn factors(
+        &mut self,
+        question: &Question<'_>,
+        way: Way,
+        is_mixed: bool,
+    ) -> Option<(PointFactors, bool)> {
+        let Question { given, answer, n_moving } = question;
+        let (mut is_in_part, mut n_steps) = (false, 0);
+        let mut entries = match is_mixed {
+            true => PointFactors::Mixed(Vec::new()),
+            false => PointFactors::Alike(Vec::new()),
+        };
+        for axis in if is_mixed { 0..3 } else { 0..1 } {
+            let is_along = |own: &&GivenPoint| !is_mixed || own.is_along[axis];
+            let points: Vec<GivenPoint> = given.moving.iter().filter(is_along).cloned().collect();
+            if points.is_empty() {
+                continue;
+            }
+            let mut moving = given.along(axis, &points);
+            if matches!(way, Way::TurnedApart) {
+                moving = moving.apart();
+            }
+            let first = moving.first_ones();
+            let Packed { known, packs, .. } = self.packed(&moving, &first, way)?;
+            let is_own_in_part = packs.iter().any(Pack::is_in_part);
+            is_in_part |= is_own_in_part;
+            n_steps += known.len() + packs.len();
+            if *n_moving < n_steps {
+                return None;
+            }
+            let place = (axis, &points[..]);
+            known.iter().flatten().for_each(|own| add(&mut entries, own, place, answer));
+            if !is_mixed && !is_own_in_part && !known.is_empty() {
+                // What mixes coordinates seems to reach all where two are moved along others.
+                let map = PointMap::new(given.sets.clone(), answer.points.len(), entries.clone());
+                let firsts: Vec<usize> =
+                    known.iter().flatten().map(|own| points[own.variable].point).collect();
+                let is_first = |own: &GivenPoint| firsts.contains(&own.point);
+                if !self.is_held(question, &map.ok()?, &is_first) {
+                    return None;
+                }
+            }
+            let measured = self.measured(&moving, &packs, answer)?;
+            measured.iter().flatten().for_each(|own| add(&mut entries, own, place, answer));
+        }
+        Some((entries, is_in_part))
+    }
+
+    /// Whether points at once, each moved in its own way, make of the answer what a matrix says: all of them, or, as what
+    /// grows with a product of points of several sets is linear in those of each, those of one set after the other.
+    fn is_borne_out(&mut self, question: &Question<'_>, map: &PointMap) -> bool {
+        let n_sets = question.given.sets.len();
+        let are_few = 1 < n_sets && n_sets <= question.n_moving / FEWEST;
+        self.is_held(question, map, &|_| true)
+            || are_few && (0..n_sets).all(|set| self.is_held(question, map, &|own| own.set == set))
+    }
+
+    /// Whether some points at once, each moved in its own way, make of the answer what a matrix says.
+    fn is_held(
+        &mut self,
+        Question { given, answer, .. }: &Question<'_>,
+        map: &PointMap,
+        is_wanted: &dyn Fn(&GivenPoint) -> bool,
+    ) -> bool {
+        if !given.moving.iter().any(is_wanted) {
+            return true;
+        }
+        let of = |idx: usize, own: &GivenPoint| {
+            if is_wanted(own) { own.own_step(idx) } else { DVec3::ZERO }
+        };
+        let Some((args, directions)) = given.at_once(of) else { return false };
+        let mut at_once = self.over(&args);
+        let Some((step, found)) = at_once.grown(&HALVINGS[2..]) else { return false };
+        let mut expected = vec![0.0; found.len()];
+        let steps: Vec<DVec3> = directions.iter().map(|direction| *direction * step).collect();
+        let grown = map.grown(&steps);
+        for (expected, (axis, point)) in expected.iter_mut().zip(&answer.numbers) {
+            if *axis != OTHER_NUMBER {
+                *expected = grown[*point][*axis];
+            }
+        }
+        at_once.is_near(&found, &expected)
+    }
+
+    /// The same answer from arguments with other variables.
+    fn over<'o>(&'o mut self, args: &'o [Value]) -> Differences<'o> {
+        let (base, plain) = (self.base.clone(), self.plain.clone());
+        Differences { args, base, run: &mut *self.run, plain }
+    }
+
+    /// The first of some steps of the only variable after which there is an answer, and the growth over it.
+    fn grown(&mut self, halvings: &[i32]) -> Option<(f64, Vec<f64>)> {
+        let unit = self.unit_step(0)?;
+        halvings.iter().find_map(|halvings| {
+            let step = libm::ldexp(unit, -halvings);
+            Some((step, self.growth(&[(0, step)]).ok()?))
+        })
+    }
+}
+
+/// Adds what a step of a point along a coordinate tells to the entries of a matrix.
+fn add(
+    entries: &mut PointFactors,
+    Growth { variable, step, growth }: &Growth,
+    (axis, points): (usize, &[GivenPoint]),
+    answer: &NumberPlaces,
+) {
+    let point = points[*variable].point;
+    for (at, grown) in growth {
+        let (along, made) = answer.numbers[*at];
+        match entries {
+            PointFactors::Mixed(all) if along != OTHER_NUMBER => {
+                let mut entry = DMat3::ZERO;
+                entry.col_mut(axis)[along] = grown / step;
+                all.push((made, point, entry));
+            }
+            PointFactors::Alike(all) if along == 0 => all.push((made, point, grown / step)),
+            _ => {}
+        }
+    }
+}
+
+/// An answer whose points a matrix makes, one behind the other.
+struct Made {
+    map: Arc<PointMap>,
+    /// How many points and other numbers have been told.
+    n_points: usize,
+}
+
+impl Made {
+    fn next(&mut self, n_points: usize) -> Range<usize> {
+        let from = self.n_points;
+        self.n_points += n_points;
+        from..self.n_points
+    }
+
+    fn slopes(&mut self, n_points: usize) -> PointSlopes {
+        let made = self.next(n_points);
+        self.map.slopes_of(made)
+    }
+
+    /// A value with the slopes of its points; none where they are no numbers.
+    fn value(&mut self, value: &Value) -> Option<Value> {
+        Some(match value {
+            Value::Point(own) => {
+                let made = self.next(1);
+                match self.map.point(made.start, *own).ok()? {
+                    Some(jets) => Vector::Jets(Box::new(jets)).into_value(),
+                    None => value.clone(),
+                }
+            }
+            Value::Curve(Curve::Nurbs(curve)) => {
+                let slopes = self.slopes(curve.control_points().len());
+                if slopes.is_fixed() {
+                    return Some(value.clone());
+                }
+                Value::JetCurve(Arc::new(VariedCurve::new(Arc::clone(curve), slopes).ok()?))
+            }
+            Value::Surface(Surface::Nurbs(surface)) => {
+                let slopes = self.slopes(surface.control_points().as_slice().len());
+                if slopes.is_fixed() {
+                    return Some(value.clone());
+                }
+                Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?))
+            }
+            Value::List(items) => {
+                let items: Option<Vec<Value>> =
+                    items.values().map(|item| self.value(&item)).collect();
+                Value::list(items?)
+            }
+            Value::Record(record) => {
+                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
+                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
+                Value::Record(Arc::new(Record::new(fields?)))
+            }
+            other => {
+                self.next(NumberPlaces::of([other]).points.len());
+                other.clone()
+            }
+        })
+    }
+}
