@@ -35,12 +35,15 @@ pub(super) struct GivenPoint {
 }
 
 impl GivenPoints {
-    /// None where anything else varies.
+    /// None where anything else varies, or lists of points alone: what is made of these is cheap beside finding a matrix.
     pub(super) fn new(args: &[Value], n_variables: usize) -> Option<Self> {
         let held = all_moved(args, &[])?;
         let places = NumberPlaces::of(&held);
-        let mut walk = GivenWalk { n_variables, n_nets: 0, sets: Vec::new() };
+        let mut walk = GivenWalk { n_variables, n_nets: 0, has_splines: false, sets: Vec::new() };
         args.iter().try_for_each(|arg| walk.add(arg))?;
+        if !walk.has_splines {
+            return None;
+        }
         let (mut moving, mut n_before) = (Vec::new(), 0);
         for (set, (net, slopes)) in walk.sets.iter().enumerate() {
             let first = places.nets[*net].first;
@@ -154,6 +157,8 @@ impl GivenPoint {
 struct GivenWalk {
     n_variables: usize,
     n_nets: usize,
+    /// Whether control points of curves or surfaces move.
+    has_splines: bool,
     sets: Vec<(usize, PointSlopes)>,
 }
 
@@ -164,11 +169,16 @@ impl GivenWalk {
         self.n_nets += 1;
     }
 
+    fn spline(&mut self, slopes: &PointSlopes) {
+        self.has_splines |= !slopes.is_fixed();
+        self.net(Some(slopes.clone()));
+    }
+
     /// None where anything beside nets of points varies.
     fn add(&mut self, value: &Value) -> Option<()> {
         match value {
-            Value::JetCurve(curve) => self.net(Some(curve.slopes().clone())),
-            Value::JetSurface(surface) => self.net(Some(surface.slopes().clone())),
+            Value::JetCurve(curve) => self.spline(curve.slopes()),
+            Value::JetSurface(surface) => self.spline(surface.slopes()),
             Value::JetPoint(jets) => self.points(1, &[(0, jets)])?,
             Value::Curve(Curve::Nurbs(_)) | Value::Surface(Surface::Nurbs(_)) | Value::Point(_) => {
                 self.net(None)
