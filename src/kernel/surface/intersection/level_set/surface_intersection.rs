@@ -23,7 +23,7 @@ use super::{
     seam::EdgeOverlap,
     share::{SharedParts, found, halved},
     sphere,
-    surface_pair::{PairParameters, SurfacePair},
+    surface_pair::SurfacePair,
     trace::CurveEnds,
     verify::{self, CurveOrigin},
 };
@@ -346,8 +346,15 @@ fn arcs(
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
         let size = a.bounds.diagonal().max(b.bounds.diagonal());
-        let Some(place) = common(crossing, &pair) else {
-            if crossing.tolerance < size {
+        let place = crossing.common_near(&pair);
+        let Some(place) = place.and_then(|place| crossing.inside(place, &pair)) else {
+            // A curve along a side of parts leaves them and comes back all along it.
+            let is_known = place.is_some_and(|place| {
+                let mut known = runs.iter();
+                crossing.is_beside(&place, &pair)
+                    && known.any(|run| run.passes(place.point, crossing.tolerance))
+            });
+            if crossing.tolerance < size && !is_known {
                 todo.extend(halved(pair, near, &mut n_kept));
             }
             continue;
@@ -381,14 +388,4 @@ fn arcs(
         }
     }
     Ok(())
-}
-
-/// A place that a pair has in common, inside both.
-fn common(crossing: &SurfacePair<'_>, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<PairParameters> {
-    let ([u, v], [s, t]) = (a.middle(), b.middle());
-    let widths =
-        [a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1]];
-    let place = crossing.common([u, v, s, t], widths)?;
-    let [u, v, s, t] = place.at;
-    (a.holds([u, v]) && b.holds([s, t])).then(|| crossing.within_domains(place))
 }
