@@ -256,7 +256,7 @@ impl ClosestPointSearch<'_> {
         {
             self.gap.next();
             self.n_parts += 1;
-            let finds_all = matches!(self.wanted, SearchTarget::AllWithin(_)) && self.alike == 0.0;
+            let finds_all = matches!(self.wanted, SearchTarget::AllWithin(_)) && self.alike <= 0.0;
             if finds_all && MANY_PARTS < self.n_parts - n_before {
                 self.is_crowded = true;
                 self.todo.clear();
