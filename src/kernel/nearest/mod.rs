@@ -30,8 +30,8 @@ use spans::{DirectionSpans, KnotSpan};
 pub(crate) use tree::BoxedPiece;
 use tree::PatchTree;
 
-/// Parts looked at before the search becomes content with less. Only where a whole line is nearly
-/// equally near, askew to the parameters, are there that many.
+/// Parts looked at before the search becomes content with less, of all for one place and of a patch for all. Only where a
+/// whole line is nearly equally near, askew to the parameters, are there that many.
 const MANY_PARTS: usize = 1000;
 
 /// How many times less the search is content with after that many parts.
@@ -144,6 +144,8 @@ impl ClosestPointTree {
             gap: DistanceBounds::new(degrees),
             todo: Vec::new(),
             n_parts: 0,
+            alike: 0.0,
+            is_crowded: false,
         };
         search.run();
         search.improve();
@@ -152,7 +154,15 @@ impl ClosestPointTree {
             // that winds around the place nearly all of it is nearly equally far.
             search.wanted = SearchTarget::AllWithin(tolerance * unit);
             search.n_parts = 0;
+            let nearest = search.found.clone();
             search.run();
+            if search.is_crowded {
+                // A stretch is nearly equally near, and no minimum on it is clear: within the tolerance it is one.
+                (search.found, search.alike) = (nearest, tolerance * unit);
+                search.stretches.clear();
+                search.n_parts = 0;
+                search.run();
+            }
         }
         search.finish()
     }
@@ -183,12 +193,18 @@ struct ClosestPointSearch<'a> {
     gap: DistanceBounds,
     todo: Vec<PatchPart>,
     n_parts: usize,
+    /// Distances that differ by less are equal.
+    alike: f64,
+    /// Whether a patch had so many parts that equal is what is within the tolerance.
+    is_crowded: bool,
 }
 
 impl ClosestPointSearch<'_> {
     fn run(&mut self) {
         let mut nodes = vec![(0.0, self.whole.tree.root())];
+        self.is_crowded = false;
         while (self.has_nothing() || work::goes_on(1))
+            && !self.is_crowded
             && let Some((least, node)) = nodes.pop()
         {
             if self.limit() < least {
@@ -234,11 +250,18 @@ impl ClosestPointSearch<'_> {
         }
         self.gap.start(self.patch.net());
         self.todo.push(PatchPart::whole([whole.along[0].degree, whole.along[1].degree]));
+        let n_before = self.n_parts;
         while (self.has_nothing() || work::goes_on(1))
             && let Some(cell) = self.todo.pop()
         {
             self.gap.next();
             self.n_parts += 1;
+            let finds_all = matches!(self.wanted, SearchTarget::AllWithin(_)) && self.alike <= 0.0;
+            if finds_all && MANY_PARTS < self.n_parts - n_before {
+                self.is_crowded = true;
+                self.todo.clear();
+                return;
+            }
             let before = self.best;
             self.note_corners(cell, spans);
             if EASY_PARTS < self.n_parts && self.best < before {
@@ -309,10 +332,10 @@ impl ClosestPointSearch<'_> {
         self.gap.direction_to_halve(cell.n_halvings, PATCH_HALVINGS)
     }
 
-    /// Whether all of the part is as far away as the nearest, up to the rounding of coordinates.
+    /// Whether all of the part is as far away as the nearest, up to the rounding of coordinates or to what is alike.
     fn is_equally_near(&mut self) -> bool {
         let size = self.whole.magnitude.max(self.p.abs().max_element()) * self.unit;
-        let rounding = COORDINATE_ROUNDINGS * LAST_BIT * size;
+        let rounding = (COORDINATE_ROUNDINGS * LAST_BIT * size).max(self.alike);
         let of_square = (2.0 * self.best + rounding) * rounding;
         self.gap.is_nothing(self.best * self.best, of_square)
     }

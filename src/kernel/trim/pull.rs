@@ -63,14 +63,14 @@ pub(super) struct PulledCurve<'a> {
     pub(super) plane: &'a ParameterPlane,
     pub(super) curve: &'a NurbsCurve,
     pub(super) height: Option<&'a Height<'a>>,
-    what: &'static str,
-    index: usize,
+    pub(super) what: &'static str,
+    pub(super) index: usize,
     pub(super) tolerance: f64,
     /// How near pieces come to what is solved for.
     pub(super) accuracy: f64,
     /// That of the plane.
     pub(super) last_bit: f64,
-    parameters: ArcParameters,
+    pub(super) parameters: ArcParameters,
 }
 
 /// The arcs in the plane of parameters along a curve that lies on the surface within the tolerance, of the
@@ -101,9 +101,7 @@ pub(super) fn arcs_on_surface(
             last_bit,
             parameters,
         };
-        for section in pulled.sections()? {
-            arcs.push(pulled.fitted(section)?);
-        }
+        arcs.extend(pulled.arcs()?);
     }
     Ok(arcs)
 }
@@ -112,6 +110,16 @@ pub(super) fn arcs_on_surface(
 pub(super) type Section = [(f64, DVec3); 2];
 
 impl PulledCurve<'_> {
+    /// All arcs, in order.
+    pub(super) fn arcs(&self) -> Result<Vec<NurbsCurve>, GeomError> {
+        if self.parameters == ArcParameters::Any
+            && let Some(arcs) = self.arcs_into_pole()?
+        {
+            return Ok(arcs);
+        }
+        self.sections()?.into_iter().map(|section| self.fitted(section)).collect()
+    }
+
     /// The place in the plane of the nearest point of the surface.
     fn foot(&self, t: f64) -> Result<DVec3, GeomError> {
         GeomError::go_on(1)?;

@@ -69,8 +69,15 @@ impl Face {
         };
         let distance = self.distance(tolerance);
         let is_crossing = |end: &&DVec3| touches.line_at(**end, distance).is_none();
-        if let Some(&point) = ends.iter().find(is_crossing) {
-            return Ok(FaceError::EndsInside { point });
+        let crossing: Vec<DVec3> = ends.iter().filter(is_crossing).copied().collect();
+        for &point in &crossing {
+            if !self.is_on_border(self.plane.surface.closest(point).parameters, tolerance)? {
+                return Ok(FaceError::EndsInside { point });
+            }
+        }
+        if let Some(&point) = crossing.first() {
+            // What it cuts off beside the border is thinner than the tolerance.
+            return Ok(FaceError::TouchesAt { index, point: shown(point), n_points: 1 });
         }
         let ended = ends.first().and_then(|&end| touches.line_at(end, distance));
         Ok(match (ended.or(touches.lines.first()), touches.points.first()) {
@@ -171,8 +178,12 @@ impl Face {
         height: &dyn Fn(DVec3) -> f64,
         tolerance: Tolerance,
     ) -> Result<Touches, GeomError> {
-        let mut found = Touches { lines: self.clipped(&curves, tolerance)?, points: touches };
         let distance = self.distance(tolerance);
+        // About a tip a curve may be one place.
+        let has_length = |curve: &NurbsCurve| distance < curve.bounds().diagonal();
+        let (curves, places): (Vec<_>, Vec<_>) = curves.into_iter().partition(has_length);
+        let mut found = Touches { lines: self.clipped(&curves, tolerance)?, points: touches };
+        found.points.extend(places.iter().map(NurbsCurve::start));
         // A contact on no line is the edge of a cutter that hovers there.
         let is_hovering = |&contact: &DVec3| found.line_at(contact, distance).is_none();
         let hovering: Vec<DVec3> = contacts.into_iter().filter(is_hovering).collect();

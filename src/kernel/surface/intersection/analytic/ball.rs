@@ -1,4 +1,4 @@
-//! The circle in which a plane cuts a sphere.
+//! The circle in which a plane, or another sphere, cuts a sphere.
 
 use std::f64::consts::TAU;
 
@@ -42,6 +42,27 @@ impl NurbsSurface {
         let frame = Frame::from_normal(middle, z, Some(start - middle)).ok()?;
         let circle = NurbsCurve::ellipse(frame, [own; 2], CircleForm::NinePoint).ok()?;
         Some(circle.reparametrized(Interval::new(0.0, TAU * own).ok()?))
+    }
+}
+
+impl NurbsSurface {
+    /// The circle in which it crosses another sphere, both whole; none of others, and of spheres within some tolerances
+    /// of touching one another or of being one. It runs along N × N of the two.
+    pub(in crate::surface) fn crossing_of_balls(
+        &self,
+        other: &Self,
+        distance: f64,
+    ) -> Option<Vec<NurbsCurve>> {
+        let plane = self.radical_plane(other, distance)?;
+        let of = |surface: &Self| {
+            surface.analytic(distance).map(|found| (found.frame.origin(), found.radius()))
+        };
+        let ((center, radius), (its_center, its_radius)) = (of(self)?, of(other)?);
+        let apart = norm(its_center - center);
+        let depth = (radius + its_radius - apart).min(apart - (radius - its_radius).abs());
+        let is_clear = LEAST_DEPTH * distance < depth && has_poles(other, distance);
+        let circle = is_clear.then(|| self.circle_of_ball(plane, distance))??;
+        Some(vec![self.directed_across(other, circle)?])
     }
 }
 

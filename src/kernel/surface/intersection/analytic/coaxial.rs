@@ -9,10 +9,10 @@ use glam::{DVec2, DVec3};
 
 use super::{AnalyticForm, AnalyticSurface};
 use crate::{
-    CircleForm, Direction, Frame, Interval, NurbsCurve, NurbsSurface, Tolerance,
+    CircleForm, Direction, Frame, Interval, LevelSet, NurbsCurve, NurbsSurface, Tolerance,
     frame::norm,
     sorting::sort_by,
-    tolerance::{COAXIAL_SINE, CONTACT_SHARE},
+    tolerance::{ANALYTIC_RELATIVE, COAXIAL_SINE, CONTACT_SHARE},
 };
 
 /// Part of the tolerance by which axes that are one may miss one another.
@@ -49,6 +49,45 @@ impl NurbsSurface {
         other: &Self,
         distance: f64,
     ) -> Option<Vec<NurbsCurve>> {
+        let touch = [TOUCH_SHARE, CONTACT_SHARE].map(|share| share * distance);
+        self.circles_about(other, distance, touch)
+    }
+
+    /// What it has in common with another surface about the same axis where both touch within the tolerance, or all but do,
+    /// along a circle: such circles, by which they miss one another being told as rounding or not, and those of other
+    /// places. A search would take those beside one another for many.
+    pub(in crate::surface) fn coaxial_touches(
+        &self,
+        other: &Self,
+        distance: f64,
+    ) -> Option<LevelSet> {
+        let curves = self.circles_about(other, distance, [distance; 2])?;
+        let rounding =
+            ANALYTIC_RELATIVE * self.bounds().magnitude().max(other.bounds().magnitude());
+        let (mut contacts, mut uncertain) = (Vec::new(), Vec::new());
+        for circle in &curves {
+            let point = circle.start();
+            let feet = [self, other].map(|surface| surface.closest(point));
+            let [a, b] = [(self, feet[0]), (other, feet[1])].map(|(surface, foot)| {
+                surface.normal_at(foot.parameters[0], foot.parameters[1]).ok()
+            });
+            if norm(a?.cross(b?)) <= Tolerance::DEFAULT.angle {
+                let gap = norm(feet[0].point - feet[1].point);
+                if gap <= rounding { &mut contacts } else { &mut uncertain }.push(point);
+            }
+        }
+        let is_touched = !(contacts.is_empty() && uncertain.is_empty());
+        is_touched.then(|| LevelSet { curves, contacts, uncertain, ..LevelSet::default() })
+    }
+
+    /// The circles in which both cross, and those along which they touch within the first distance of `touch`, whose
+    /// places are on both within the second.
+    fn circles_about(
+        &self,
+        other: &Self,
+        distance: f64,
+        [touch, near]: [f64; 2],
+    ) -> Option<Vec<NurbsCurve>> {
         let (axis, [one, another]) = self.meridians(other, distance)?;
         let sides = [self, other].map(|surface| surface.plane_quadrilateral(distance));
         let turns = |surface: &Self, sides: &Option<_>| {
@@ -58,7 +97,7 @@ impl NurbsSurface {
             return None;
         }
         let mut circles = Vec::new();
-        for place in one.places_on(another, [TOUCH_SHARE * distance, LEAST_DEPTH * distance])? {
+        for place in one.places_on(another, [touch, LEAST_DEPTH * distance])? {
             if place.x < -distance {
                 continue;
             }
@@ -70,7 +109,9 @@ impl NurbsSurface {
             }
             let circle = (distance < place.x)
                 .then(|| NurbsCurve::ellipse(frame, [place.x; 2], CircleForm::NinePoint).ok())??;
-            if self.has_all_of(&circle, distance)? && other.has_all_of(&circle, distance)? {
+            if self.has_all_of(&circle, [near, distance])?
+                && other.has_all_of(&circle, [near, distance])?
+            {
                 circles.push(self.directed_across(other, circle)?);
             }
         }
@@ -182,15 +223,19 @@ impl NurbsSurface {
         Some((axis, [one?, another?]))
     }
 
-    /// Whether all of a curve is on the surface, false where nothing of it is; none of a part.
-    pub(super) fn has_all_of(&self, curve: &NurbsCurve, distance: f64) -> Option<bool> {
+    /// Whether all of a curve is on the surface, as near as the first distance, false where nothing of it is as near as the
+    /// second; none of a part.
+    pub(super) fn has_all_of(
+        &self,
+        curve: &NurbsCurve,
+        [near, distance]: [f64; 2],
+    ) -> Option<bool> {
         let domain = curve.domain();
         let mut places = (0..N_LOOKS).map(|i| {
             let point = curve.point_at(domain.at(f64::from(i) / f64::from(N_LOOKS)));
             self.closest(point).distance
         });
         let first = places.next()?;
-        let near = CONTACT_SHARE * distance;
         match (first <= near, distance < first) {
             (true, _) => places.all(|gap| gap <= near).then_some(true),
             (_, true) => places.all(|gap| distance < gap).then_some(false),

@@ -15,7 +15,7 @@ use crate::{
     curve::join_chain,
     frame::norm,
     sorting::sort_by,
-    tolerance::{COAXIAL_SINE, INSCRIBED_SHARE},
+    tolerance::{COAXIAL_SINE, CONTACT_SHARE, INSCRIBED_SHARE},
 };
 
 /// A cylinder or cone around a sphere about the origin.
@@ -90,7 +90,7 @@ impl NurbsSurface {
         }
         let mut crossings = Vec::with_capacity(arcs.len());
         for arc in arcs {
-            if !other.has_all_of(&arc, distance)? {
+            if !other.has_all_of(&arc, [CONTACT_SHARE * distance, distance])? {
                 continue;
             }
             let arc = self.directed_across(other, arc)?;

@@ -74,7 +74,7 @@ fn tangent(own: DVec3, other: DVec3, chord: DVec3) -> DVec3 {
     }
 }
 
-/// The spline through samples of a line, parametrized about by its length, within `tolerance` of
+/// The spline through samples of a line that has a length, parametrized about by that, within `tolerance` of
 /// all of them; a closed one's last sample is the first.
 pub(super) fn spline(samples: &[BranchSample], tolerance: f64) -> Result<NurbsCurve, GeomError> {
     let kept = thinned(samples, tolerance);
@@ -143,8 +143,12 @@ fn thinned(samples: &[BranchSample], tolerance: f64) -> Vec<(BranchSample, f64)>
             todo.extend([to, cut.clamp(from + 1, to - 1)]);
             continue;
         }
-        kept.push((samples[to], places[to]));
         from = to;
+        // What is one place twice has no length between.
+        match kept.last_mut() {
+            Some((last, place)) if places[to] <= *place => last.behind = samples[to].behind,
+            _ => kept.push((samples[to], places[to])),
+        }
     }
     kept
 }

@@ -31,6 +31,22 @@ pub(super) struct VanishingPlace {
     pub(super) is_exact: bool,
 }
 
+impl VanishingPlace {
+    /// How many curves end in it.
+    pub(super) fn n_ends(&self, runs: &[BranchSamples]) -> usize {
+        let ends = runs.iter().flat_map(|run| [run.start(), run.end()]);
+        ends.filter(|end| end.distance(self.point) <= self.radius).count()
+    }
+
+    /// Whether curves meet in it, and do not only go on in one another.
+    pub(super) fn is_met(&self, runs: &[BranchSamples], tolerance: f64) -> bool {
+        match self.n_ends(runs) {
+            0 => runs.iter().any(|run| run.passes(self.point, tolerance)),
+            n => n != 2,
+        }
+    }
+}
+
 /// Samples of a branch, in order.
 #[derive(Clone, Debug)]
 pub(super) struct BranchSamples {

@@ -23,7 +23,7 @@ use super::{
     seam::EdgeOverlap,
     share::{SharedParts, found, halved},
     sphere,
-    surface_pair::{PairParameters, SurfacePair},
+    surface_pair::SurfacePair,
     trace::CurveEnds,
     verify::{self, CurveOrigin},
 };
@@ -93,9 +93,13 @@ fn splines_cross(
     if a.keeps_from(&b, tolerance) || b.keeps_from(&a, tolerance) {
         return Ok(LevelSet::default());
     }
-    let crossings = a.coaxial_crossings(&b, tolerance);
+    let crossings =
+        a.crossing_of_balls(&b, tolerance).or_else(|| a.coaxial_crossings(&b, tolerance));
     if let Some(curves) = crossings.or_else(|| a.inscribed_crossings(&b, tolerance)) {
         return Ok(LevelSet { curves, ..LevelSet::default() });
+    }
+    if let Some(found) = a.coaxial_touches(&b, tolerance) {
+        return Ok(with_edges_beside(found, [&a, &b], tolerance));
     }
     let surfaces = [a, b];
     match searched(&surfaces, tolerance, size) {
@@ -256,24 +260,29 @@ fn shared_by(
     });
     // A border of both is told as the seam that it is.
     runs.retain(|run| !run.samples.iter().all(|sample| is_on_seam(&sample.point)));
-    let met = |spot: &VanishingPlace| is_met(spot, &runs, crossing.tolerance);
+    let met = |spot: &VanishingPlace| spot.is_met(&runs, crossing.tolerance);
     uncertain.extend(ends.spots.iter().filter(|spot| met(spot)).map(|spot| spot.point));
     // A spot in the middle of a curve is no touch in a point.
-    ends.spots.retain(|spot| n_ends(spot, &runs) != 0 || !met(spot));
+    ends.spots.retain(|spot| spot.n_ends(&runs) != 0 || !met(spot));
     ends.spots.extend(touches);
     let is_passed =
         |spot: &VanishingPlace| runs.iter().any(|run| run.passes(spot.point, crossing.tolerance));
     ends.spots.extend(
-        poles(crossing.tolerance).filter(|spot| n_ends(spot, &runs) != 0 || !is_passed(spot)),
+        poles(crossing.tolerance).filter(|spot| spot.n_ends(&runs) != 0 || !is_passed(spot)),
     );
     let chained = chain::chained(runs, &ends.spots, crossing.tolerance);
     let spline = |line: Vec<BranchSample>| cubic::spline(&line, FITTING * crossing.tolerance);
     let seams_once = EdgeOverlap::different(&seams, crossing.tolerance).into_iter();
-    let lines = chained.lines.into_iter().filter(|line| 1 < line.len()).map(spline);
+    // A line about a tip may be as short as rounding: it is a place.
+    let has_length = |line: &Vec<BranchSample>| line.iter().any(|s| s.point != line[0].point);
+    let (lines, places): (Vec<_>, Vec<_>) = chained.lines.into_iter().partition(has_length);
+    let lines = lines.into_iter().map(spline);
     let curves: Result<Vec<NurbsCurve>, GeomError> =
         seams_once.map(|seam| Ok(seam.directed([&a, &b]))).chain(lines).collect();
     let curves = verify::without_crumbs(curves?, tolerance);
-    let touches = chained.isolated.into_iter().filter(|point| !is_on_seam(point)).collect();
+    let places = places.into_iter().filter_map(|line| line.first().map(|sample| sample.point));
+    let touches = chained.isolated.into_iter().chain(places);
+    let touches = touches.filter(|point| !is_on_seam(point)).collect();
     contacts.retain(|point| !is_on_seam(point));
     uncertain.retain(|point| !is_on_seam(point));
     verify::verify(&curves, &CurveOrigin::Surfaces([&a, &b]), tolerance)?;
@@ -293,20 +302,6 @@ fn reach_seam<'s>(run: &mut BranchSamples, spots: impl Iterator<Item = &'s Vanis
                 run.samples.insert(place, BranchSample { point: spot.point, ..sample });
             }
         }
-    }
-}
-
-/// How many curves end in a spot.
-fn n_ends(spot: &VanishingPlace, runs: &[BranchSamples]) -> usize {
-    let ends = runs.iter().flat_map(|run| [run.start(), run.end()]);
-    ends.filter(|end| end.distance(spot.point) <= spot.radius).count()
-}
-
-/// Whether curves meet in a spot, and do not only go on in one another.
-fn is_met(spot: &VanishingPlace, runs: &[BranchSamples], tolerance: f64) -> bool {
-    match n_ends(spot, runs) {
-        0 => runs.iter().any(|run| run.passes(spot.point, tolerance)),
-        n => n != 2,
     }
 }
 
@@ -351,8 +346,15 @@ fn arcs(
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
         let size = a.bounds.diagonal().max(b.bounds.diagonal());
-        let Some(place) = common(crossing, &pair) else {
-            if crossing.tolerance < size {
+        let place = crossing.common_near(&pair);
+        let Some(place) = place.and_then(|place| crossing.inside(place, &pair)) else {
+            // A curve along a side of parts leaves them and comes back all along it.
+            let is_known = place.is_some_and(|place| {
+                let mut known = runs.iter();
+                crossing.is_beside(&place, &pair)
+                    && known.any(|run| run.passes(place.point, crossing.tolerance))
+            });
+            if crossing.tolerance < size && !is_known {
                 todo.extend(halved(pair, near, &mut n_kept));
             }
             continue;
@@ -386,14 +388,4 @@ fn arcs(
         }
     }
     Ok(())
-}
-
-/// A place that a pair has in common, inside both.
-fn common(crossing: &SurfacePair<'_>, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<PairParameters> {
-    let ([u, v], [s, t]) = (a.middle(), b.middle());
-    let widths =
-        [a.high[0] - a.low[0], a.high[1] - a.low[1], b.high[0] - b.low[0], b.high[1] - b.low[1]];
-    let place = crossing.common([u, v, s, t], widths)?;
-    let [u, v, s, t] = place.at;
-    (a.holds([u, v]) && b.holds([s, t])).then(|| crossing.within_domains(place))
 }

@@ -1,7 +1,10 @@
 //! Two surfaces that are asked where they cross, and the places that they share.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
+use super::pair::SurfacePart;
 use crate::{
     Interval, NurbsSurface,
     ceiling::CROSSING_STEPS,
@@ -117,6 +120,39 @@ impl<'s> SurfacePair<'s> {
         );
         let at = found.unless_stuck()?;
         (norm(self.look(at).apart) <= MEETING_SHARE * self.tolerance).then(|| self.place(at))
+    }
+
+    /// The place that the surfaces have in common to which Newton's method leads from the middle of two parts.
+    pub(super) fn common_near(&self, [a, b]: &[Arc<SurfacePart>; 2]) -> Option<PairParameters> {
+        let ([u, v], [s, t]) = (a.middle(), b.middle());
+        let widths = [
+            a.high[0] - a.low[0],
+            a.high[1] - a.low[1],
+            b.high[0] - b.low[0],
+            b.high[1] - b.low[1],
+        ];
+        self.common([u, v, s, t], widths)
+    }
+
+    /// A common place that is inside two parts.
+    pub(super) fn inside(
+        &self,
+        place: PairParameters,
+        [a, b]: &[Arc<SurfacePart>; 2],
+    ) -> Option<PairParameters> {
+        let [u, v, s, t] = place.at;
+        (a.holds([u, v]) && b.holds([s, t])).then(|| self.within_domains(place))
+    }
+
+    /// Whether a common place is no farther than the tolerance from each of two parts.
+    pub(super) fn is_beside(&self, place: &PairParameters, pair: &[Arc<SurfacePart>; 2]) -> bool {
+        let [u, v, s, t] = place.at;
+        let mut sides = self.surfaces.into_iter().zip(pair).zip([[u, v], [s, t]]);
+        self.is_inside(place.at)
+            && sides.all(|((surface, part), at)| {
+                let [u, v] = [0, 1].map(|k| at[k].clamp(part.low[k], part.high[k]));
+                surface.point_at(u, v).distance(place.point) <= self.tolerance
+            })
     }
 
     /// The common place in a plane across a direction, or with one parameter given.
