@@ -120,3 +120,51 @@ fn moved(state: &[f64], width: f64, counts: &[f64], rates: &[Vec<f64>]) -> Vec<f
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Step, TrialStep};
+
+    /// A place of t³ − 2t and of 1 + t².
+    fn place(t: f64) -> Step {
+        Step {
+            place: t,
+            state: vec![t * t * t - 2.0 * t, 1.0 + t * t],
+            rate: vec![3.0 * t * t - 2.0, 2.0 * t],
+        }
+    }
+
+    #[test]
+    fn cubics_are_their_own_between_two_steps() {
+        for (from, to) in [(-1.0, 2.0), (2.0, -1.0), (0.5, 0.75)] {
+            for t in [from, 0.25 * from + 0.75 * to, 0.5 * (from + to), to] {
+                for (found, exact) in place(from).cubic(&place(to), t).iter().zip(place(t).state) {
+                    assert!((found - exact).abs() < 1e-14, "{from}, {to} at {t}: {found}");
+                }
+            }
+        }
+    }
+
+    /// The error of a state is what the method leaves out; it falls with the sixth power of the width.
+    #[test]
+    fn a_step_is_of_order_five() {
+        let missed = |width: f64| {
+            let from = Step { place: 0.0, state: vec![1.0], rate: vec![1.0] };
+            let made: Result<TrialStep, ()> =
+                TrialStep::new(&mut |_, y| Ok(y.to_vec()), &from, width);
+            (made.unwrap().step.state[0] - libm::exp(width)).abs()
+        };
+        let order = libm::log2(missed(0.5) / missed(0.25));
+        assert!((5.8..6.3).contains(&order), "{order}");
+    }
+
+    #[test]
+    fn the_next_step_is_longer_by_the_fifth_root_within_bounds() {
+        let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} is not {b}");
+        close(TrialStep::growth(32.0, true), 0.45);
+        close(TrialStep::growth(1.0 / 32.0, false), 1.8);
+        close(TrialStep::growth(1.0 / 32.0, true), 1.0);
+        close(TrialStep::growth(0.0, false), 5.0);
+        close(TrialStep::growth(f64::INFINITY, true), 0.2);
+    }
+}
