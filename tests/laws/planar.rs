@@ -132,3 +132,16 @@ fn a_strip_narrower_than_the_distance_has_no_area() {
         assert_eq!(refused.err(), Some(no_area), "{length}");
     }
 }
+
+/// Which corner comes first does not decide whether a sliver is an area: its height is to be twice the distance.
+#[test]
+fn a_sliver_has_an_area_or_none_whichever_corner_is_first() {
+    for (height, has_area) in [(1.8e-3, false), (2.2e-3, true)] {
+        let mut corners = [DVec3::ZERO, DVec3::X, DVec3::new(0.5, height, 0.0)];
+        for first in 0..3 {
+            let found = planar_mesh(&[corners.to_vec()], 1e-3);
+            assert_eq!(found.is_ok(), has_area, "{height} from corner {first}");
+            corners.rotate_left(1);
+        }
+    }
+}

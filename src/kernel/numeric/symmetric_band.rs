@@ -96,7 +96,8 @@ mod tests {
             let wanted: Vec<DVec3> = (0..n).map(|i| block(i).x_axis).collect();
             let mut right = vec![DVec3::ZERO; n];
             for i in 0..n {
-                let own = DMat3::from_diagonal(DVec3::splat(20.0)) + block(i) + block(i).transpose();
+                let own =
+                    DMat3::from_diagonal(DVec3::splat(20.0)) + block(i) + block(i).transpose();
                 band.add(3 * i, 3 * i, own);
                 right[i] += own * wanted[i];
                 for k in i + 1..n.min(i + width / 3) {
