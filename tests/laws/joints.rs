@@ -206,3 +206,34 @@ proptest! {
         }
     }
 }
+
+/// A knot that was put in without a change is smooth to every order, one that counts to the degree less its
+/// multiplicity, at every place and on every domain.
+#[test]
+fn derivatives_are_the_same_on_both_sides_of_a_knot_that_does_not_count() {
+    let points = plane(&[
+        [0.0, 0.0],
+        [1.0, 2.0],
+        [3.0, -1.0],
+        [4.0, 3.0],
+        [6.0, 1.0],
+        [7.0, 5.0],
+        [9.0, 0.0],
+    ]);
+    for (start, end) in [(0.0, 1.0), (-3.0, 500.0), (2.0, 2.001)] {
+        for (far, size) in [(0.0, 1.0), (1e5, 1.0), (0.0, 1e-6)] {
+            let at = |f: f64| start + f * (end - start);
+            let knots = [0.0, 0.0, 0.0, 0.0, 0.4, 0.7, 0.7, 1.0, 1.0, 1.0, 1.0].map(at);
+            let knots = KnotVector::new(3, knots.to_vec()).unwrap();
+            let places: Vec<DVec3> = points.iter().map(|&p| p * size + DVec3::X * far).collect();
+            let curve = NurbsCurve::polynomial(knots, &places).unwrap();
+            let refined = Curve::from(curve.insert_knots(&[at(0.2), at(0.55), at(0.55)]).unwrap());
+            for order in 1..=3 {
+                for (f, smooth_to) in [(0.2, 3), (0.4, 2), (0.55, 3), (0.6, 3), (0.7, 1)] {
+                    let is_smooth = refined.is_smooth_at(at(f), order);
+                    assert_eq!(is_smooth, order <= smooth_to, "{f} of {start}..{end}, {order}");
+                }
+            }
+        }
+    }
+}

@@ -19,6 +19,7 @@ mod coons;
 mod crossing;
 mod crossing_turned;
 mod curve;
+mod domains;
 mod edit;
 mod edit_surface;
 mod evaluator;

@@ -112,3 +112,36 @@ fn borders_that_cross_by_far_or_by_a_hair_are_told() {
     let bow = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.2]];
     assert!(crossing(&[bow.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec()]));
 }
+
+/// A strip is an area where it is wider than the distance, however large it is.
+#[test]
+fn a_strip_narrower_than_the_distance_has_no_area() {
+    for (length, distance) in [(1e-3, 1e-9), (1.0, 1e-6), (50.0, 0.1)] {
+        let strip = |width: f64| {
+            let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+            let corners =
+                [corner(0.0, 0.0), corner(length, 0.0), corner(length, width), corner(0.0, width)];
+            planar_mesh(&[corners.to_vec()], distance)
+        };
+        let mesh = strip(1.1 * distance).unwrap();
+        assert!((mesh.area() / (1.1 * distance * length) - 1.0).abs() < 1e-9, "{length}");
+        let square = strip(length).unwrap();
+        assert!((square.area() / (length * length) - 1.0).abs() < 1e-12, "{length}");
+        let refused = strip(0.9 * distance);
+        let no_area = GeomError::Picture(PictureError::NoArea { index: 0, of: 1 });
+        assert_eq!(refused.err(), Some(no_area), "{length}");
+    }
+}
+
+/// Which corner comes first does not decide whether a sliver is an area: its height is to be twice the distance.
+#[test]
+fn a_sliver_has_an_area_or_none_whichever_corner_is_first() {
+    for (height, has_area) in [(1.8e-3, false), (2.2e-3, true)] {
+        let mut corners = [DVec3::ZERO, DVec3::X, DVec3::new(0.5, height, 0.0)];
+        for first in 0..3 {
+            let found = planar_mesh(&[corners.to_vec()], 1e-3);
+            assert_eq!(found.is_ok(), has_area, "{height} from corner {first}");
+            corners.rotate_left(1);
+        }
+    }
+}

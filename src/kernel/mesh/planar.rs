@@ -66,8 +66,10 @@ fn area_vector(points: &[DVec3]) -> DVec3 {
     0.5 * pairs.sum::<DVec3>()
 }
 
+/// With the side from the last point to the first.
 fn perimeter(points: &[DVec3]) -> f64 {
-    points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(point, next)| point.distance(*next)).sum()
 }
 
 /// Twice the area of a triangle, positive where it runs counter-clockwise.

@@ -120,3 +120,52 @@ fn moved(state: &[f64], width: f64, counts: &[f64], rates: &[Vec<f64>]) -> Vec<f
 fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Step, TrialStep};
+
+    /// A place of t³ − 2t and of 1 + t².
+    fn place(t: f64) -> Step {
+        Step {
+            place: t,
+            state: vec![t * t * t - 2.0 * t, 1.0 + t * t],
+            rate: vec![3.0 * t * t - 2.0, 2.0 * t],
+        }
+    }
+
+    #[test]
+    fn cubics_are_their_own_between_two_steps() {
+        for (from, to) in [(-1.0, 2.0), (2.0, -1.0), (0.5, 0.75)] {
+            for t in [from, 0.25 * from + 0.75 * to, 0.5 * (from + to), to] {
+                for (found, exact) in place(from).cubic(&place(to), t).iter().zip(place(t).state) {
+                    assert!((found - exact).abs() < 1e-14, "{from}, {to} at {t}: {found}");
+                }
+            }
+        }
+    }
+
+    /// Of y′ = y the state is multiplied by 1 + z + z²/2 + … + z⁵/120 + z⁶/600: Hairer & Wanner, *Solving Ordinary
+    /// Differential Equations II*, §IV.2.
+    #[test]
+    fn growth_is_multiplied_by_the_polynomial_of_the_method() {
+        for z in [-1.5_f64, -0.25, 0.5, 2.0] {
+            let from = Step { place: 3.0, state: vec![2.0], rate: vec![2.0] };
+            let made: Result<TrialStep, ()> =
+                TrialStep::new(&mut |_, y| Ok(y.to_vec()), &from, 3.0 + z);
+            let found = made.unwrap().step.state[0];
+            let factor = (1..=6).rev().fold(1.2, |sum, k| 1.0 + sum * z / f64::from(k));
+            assert!((found - 2.0 * factor).abs() < 1e-13, "{z}: {found}");
+        }
+    }
+
+    #[test]
+    fn the_next_step_is_longer_by_the_fifth_root_within_bounds() {
+        let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} is not {b}");
+        close(TrialStep::growth(32.0, true), 0.45);
+        close(TrialStep::growth(1.0 / 32.0, false), 1.8);
+        close(TrialStep::growth(1.0 / 32.0, true), 1.0);
+        close(TrialStep::growth(0.0, false), 5.0);
+        close(TrialStep::growth(f64::INFINITY, true), 0.2);
+    }
+}

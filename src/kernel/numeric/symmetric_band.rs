@@ -85,6 +85,36 @@ mod tests {
         }
     }
 
+    /// Blocks that differ and reach into one another, in a band and in a matrix that is full.
+    #[test]
+    fn solutions_fulfil_the_equations() {
+        let number = |i: usize, k: usize| libm::sin((7 * i + 3 * k) as f64);
+        let block =
+            |i: usize| DMat3::from_cols_array(&[0, 1, 2, 3, 4, 5, 6, 7, 8].map(|k| number(i, k)));
+        for (n, width) in [(5, 6), (4, 12)] {
+            let mut band = SymmetricBand::new(3 * n, width);
+            let wanted: Vec<DVec3> = (0..n).map(|i| block(i).x_axis).collect();
+            let mut right = vec![DVec3::ZERO; n];
+            for i in 0..n {
+                let own =
+                    DMat3::from_diagonal(DVec3::splat(20.0)) + block(i) + block(i).transpose();
+                band.add(3 * i, 3 * i, own);
+                right[i] += own * wanted[i];
+                for k in i + 1..n.min(i + width / 3) {
+                    let beside = block(n * i + k);
+                    band.add(3 * i, 3 * k, beside);
+                    right[i] += beside * wanted[k];
+                    right[k] += beside.transpose() * wanted[i];
+                }
+            }
+            let mut values: Vec<f64> = right.iter().flat_map(DVec3::to_array).collect();
+            band.solve(&mut values).expect("positive definite");
+            for (part, wanted) in values.chunks_exact(3).zip(wanted) {
+                assert!((DVec3::from_slice(part) - wanted).length() < 1e-12, "{width}: {values:?}");
+            }
+        }
+    }
+
     #[test]
     fn what_is_not_positive_definite_is_refused() {
         let mut band = SymmetricBand::new(3, 3);

@@ -306,3 +306,38 @@ fn the_edits_try_everything() {
     }
     assert!(seen.iter().all(|&n| n > 100), "{seen:?}");
 }
+
+/// Whatever of an expression is edited, what was remembered of it is not taken for it.
+#[test]
+fn every_part_of_an_expression_counts() {
+    let forms: &[&[&str]] = &[
+        &["{ let t = 1 t }", "{ let t = 2 t }", "{ let t = 1 2 * t }", "{ let t = 1 let s = 2 s }"],
+        &["\"one {k}\"", "\"two {k}\"", "\"one {k + 1}\"", "\"one {k:.2}\"", "\"one {k:.3}\""],
+        &["[1, 2]", "[1, 3]", "[1, 2, 2]", "[...[1, 2]]", "[[1, 2]]", "(1, 2)"],
+        &["[for i in 0..3: i]", "[for i in 0..4: i]", "[for i in 0..3: -i]"],
+        &["[for i in 0..3 if i > 1: i]", "[for i in 0..3 if i > 2: i]"],
+        &["[for [i, j] in [[1, 2]]: i]", "[for [i, j] in [[1, 2]]: j]"],
+        &["{a: 1, b: 2}", "{a: 2, b: 2}", "{a: 1, c: 2}"],
+        &["{a: 1, b: 2}.a", "{a: 1, b: 2}.b"],
+        &["[1, 2][0]", "[1, 2][1]", "[1, 2][-1]"],
+        &["if k > 0 then 1 else 2", "if k < 0 then 1 else 2", "if k > 0 then 2 else 2"],
+        &["k + 1", "k - 1", "1 - k", "-k", "not (k > 0)", "k > 0"],
+        &["k == 2 and k > 3", "k == 2 or k > 3"],
+        &["map([1, 2], x => x)", "map([1, 2], x => k)", "map([1, 2], x => 2 * x)"],
+        &["f(1, b = 2)", "f(2, b = 1)", "f(b = 1, a = 2)", "f(1)", "f(1, b = 3)"],
+        &["g(1)", "g(2)", "1mm", "1cm", "1deg"],
+        &["0..3", "0..<3", "0..4", "1..3"],
+    ];
+    for form in forms {
+        let text = |expr: &str| {
+            format!(
+                "let k = 2\nfn f(a, b = 5) = 10 * a + b\nlet g = f(_, b = 7)\nlet d = {expr}\n\
+                 print d, [d]"
+            )
+        };
+        let texts: Vec<String> =
+            form.iter().chain(form.iter().rev()).map(|expr| text(expr)).collect();
+        let states: Vec<_> = texts.iter().map(|text| (text.as_str(), [].as_slice())).collect();
+        told_alike(&states);
+    }
+}

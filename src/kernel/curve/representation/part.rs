@@ -183,3 +183,105 @@ impl DirectionCone {
         own + others + CLEAR_ANGLE < between
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec3, DVec4};
+
+    use super::{CurvePart, DirectionCone, parts};
+    use crate::{Frame, Interval, KnotVector, NurbsCurve, homogeneous};
+
+    /// A bow with weights that pull its tangents, and an arc of a third of a turn.
+    fn rational() -> Vec<CurvePart> {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 3.0, 1.0], [4.0, 2.0, -1.0], [6.0, 0.0, 2.0]];
+        let (knots, weights) = (KnotVector::bezier(3).unwrap(), [1.0, 5.0, 0.3, 2.0]);
+        let bow = NurbsCurve::rational(knots, &corners.map(DVec3::from), &weights);
+        let arc = NurbsCurve::arc(Frame::XY, 2.0, 0.5, 2.0);
+        [bow, arc].into_iter().flat_map(|made| parts(&made.unwrap())).collect()
+    }
+
+    fn point(part: &CurvePart, fraction: f64) -> DVec3 {
+        let mut left = part.points.to_vec();
+        while 1 < left.len() {
+            left = left.windows(2).map(|pair| pair[0].lerp(pair[1], fraction)).collect();
+        }
+        homogeneous::place(left[0])
+    }
+
+    fn straight(from: [f64; 3], to: [f64; 3]) -> CurvePart {
+        let ends = [from, to].map(|end| DVec3::from(end).extend(1.0));
+        CurvePart::new(Interval::UNIT, ends.as_slice().into())
+    }
+
+    #[test]
+    fn every_chord_of_a_narrow_piece_lies_in_its_cone() {
+        for whole in rational() {
+            for part in whole.halves().iter().flat_map(CurvePart::halves) {
+                let (cone, n) = (part.cone(), 50);
+                let angle = cone.angle.unwrap();
+                assert!(cone.is_within_half_turn());
+                for i in 0..n {
+                    let [a, b] = [i, i + 1].map(|i| point(&part, f64::from(i) / f64::from(n)));
+                    assert!((b - a).angle_between(cone.axis) <= angle + 1e-9, "{i}: {angle}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_cone_of_an_arc_is_hardly_wider_than_its_turn() {
+        let arc = NurbsCurve::arc(Frame::XY, 2.0, 0.0, 0.4).unwrap();
+        let cone = parts(&arc)[0].cone();
+        let angle = cone.angle.unwrap();
+        assert!((0.2 - 1e-9..0.21).contains(&angle), "{angle}");
+        assert!(cone.is_narrow() && cone.with(cone.reversed()).angle.is_none());
+        assert_eq!(cone.with(cone).angle, Some(angle));
+    }
+
+    #[test]
+    fn a_piece_within_an_interval_has_the_points_of_the_whole() {
+        for whole in rational() {
+            let own = whole.interval;
+            let (from, to) = (own.at(0.2), own.at(0.7));
+            let cut = whole.clone().within(Interval::new(from, to).unwrap()).unwrap();
+            let [before, behind] = whole.cut_at(0.2).unwrap();
+            for f in [0.0, 0.25, 0.5, 1.0] {
+                assert!(point(&cut, f).distance(point(&whole, 0.2 + 0.5 * f)) < 1e-13);
+                assert!(point(&before, f).distance(point(&whole, 0.2 * f)) < 1e-13);
+                assert!(point(&behind, f).distance(point(&whole, 0.2 + 0.8 * f)) < 1e-13);
+            }
+            assert!((cut.interval.start(), cut.interval.end()) == (from, to));
+            assert!(whole.cut_at(0.0).is_none() && whole.cut_at(1.0).is_none());
+        }
+    }
+
+    #[test]
+    fn pieces_side_by_side_do_not_meet_although_their_boxes_do() {
+        let diagonal = straight([0.0, 0.0, 0.0], [4.0, 4.0, 0.0]);
+        let beside = straight([0.5, 0.0, 0.0], [4.5, 4.0, 0.0]);
+        let across = straight([0.0, 4.0, 0.0], [4.0, 0.0, 0.0]);
+        // They are half of the square root of a half apart.
+        assert!(!diagonal.may_meet(&beside, 0.35) && diagonal.may_meet(&beside, 0.36));
+        assert!(diagonal.may_meet(&across, 0.0));
+        assert!(!diagonal.may_meet(&straight([6.0, 0.0, 0.0], [7.0, 1.0, 0.0]), 1.9));
+        assert!(diagonal.cone().crosses_clearly(across.cone()));
+        assert!(!diagonal.cone().crosses_clearly(beside.cone()));
+        assert!(!diagonal.cone().crosses_clearly(beside.cone().reversed()));
+        assert!(!diagonal.cone().crosses_clearly(DirectionCone::EVERYTHING));
+    }
+
+    #[test]
+    fn a_control_point_beyond_the_chord_is_as_far_as_the_end() {
+        let place = |x: f64, y: f64| DVec4::new(x, y, 0.0, 1.0);
+        let check = |middle: DVec4, expected: f64| {
+            let points = [place(0.0, 0.0), middle, place(2.0, 0.0)];
+            let hook = CurvePart::new(Interval::UNIT, points.as_slice().into());
+            let found = hook.deviation_from_chord();
+            assert!((found - expected).abs() < 1e-15, "{middle}: {found}");
+        };
+        check(place(1.0, 3.0), 3.0);
+        check(place(5.0, 4.0), 5.0);
+        check(place(-3.0, 4.0), 5.0);
+        check(2.0 * place(0.5, -1.0), 1.0);
+    }
+}
