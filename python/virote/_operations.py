@@ -3138,8 +3138,9 @@ def maximize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tu
 
     Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
     where the function turns often, tell near which the greatest value is; from there on the search goes by
-    parabolas and golden sections. The place has half of the digits that numbers have, the value there all of
-    them. Brent, *Algorithms for Minimization without Derivatives*, ch. 5.
+    parabolas and golden sections. Where derivatives pass through the function they tell the last digits of the place,
+    which has half of those that numbers have without; the value there has all. Brent, *Algorithms for Minimization
+    without Derivatives*, ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
@@ -3227,15 +3228,16 @@ def minimize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tu
 
     Of one number in a range, which may be an end of it: seventeen places at nearly equal distances, and up to 257
     where the function turns often, tell near which the least value is; from there on the search goes by parabolas
-    and golden sections. The place has half of the digits that numbers have, the value there all of them. Where a
-    whole stretch is least it is one place of it; a function that is the same everywhere is refused. Brent,
-    *Algorithms for Minimization without Derivatives*, ch. 5.
+    and golden sections. Where derivatives pass through the function they tell the last digits of the place, which has
+    half of those that numbers have without; the value there has all. Where a whole stretch is least it is one place of
+    it; a function that is the same everywhere is refused. Brent, *Algorithms for Minimization without Derivatives*,
+    ch. 5.
 
     Several unknowns are a point, or a list or record of numbers and points. The search begins at `start`,
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
     are exact where derivatives pass through all that the function does (see `gradient`), else central
-    differences. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
+    differences; the last ones, by Newton's method, tell all digits of the place by exact ones. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
     of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
     the greatest value on a circle, is taken for the least. A start tells sizes that may be far from those over which the
     function bends: without conditions it is looked nearer and farther off by the sizes that the answer itself has, down to
