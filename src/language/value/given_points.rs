@@ -181,7 +181,7 @@ impl GivenWalk {
             Value::JetSurface(surface) => self.spline(surface.slopes()),
             Value::JetPoint(jets) => self.points(1, &[(0, jets)])?,
             Value::Curve(Curve::Nurbs(_)) | Value::Surface(Surface::Nurbs(_)) | Value::Point(_) => {
-                self.net(None)
+                self.net(None);
             }
             Value::List(items) => {
                 let all: Vec<Value> = items.values().collect();

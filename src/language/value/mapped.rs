@@ -123,13 +123,16 @@ impl Differences<'_> {
             true => PointFactors::Mixed(Vec::new()),
             false => PointFactors::Alike(Vec::new()),
         };
-        for axis in if is_mixed { 0..3 } else { 0..1 } {
-            let is_along = |own: &&GivenPoint| !is_mixed || own.is_along[axis];
-            let points: Vec<GivenPoint> = given.moving.iter().filter(is_along).cloned().collect();
-            if points.is_empty() {
-                continue;
-            }
-            let mut moving = given.along(axis, &points);
+        let by_axis: Vec<(usize, Vec<GivenPoint>)> = (0..if is_mixed { 3 } else { 1 })
+            .map(|axis| {
+                let is_along = |own: &&GivenPoint| !is_mixed || own.is_along[axis];
+                (axis, given.moving.iter().filter(is_along).cloned().collect::<Vec<GivenPoint>>())
+            })
+            .filter(|(_, points)| !points.is_empty())
+            .collect();
+        for (n_before, (axis, points)) in by_axis.iter().enumerate() {
+            let axis = *axis;
+            let mut moving = given.along(axis, points);
             if matches!(way, Way::TurnedApart) {
                 moving = moving.apart();
             }
@@ -138,7 +141,8 @@ impl Differences<'_> {
             let is_own_in_part = packs.iter().any(Pack::is_in_part);
             is_in_part |= is_own_in_part;
             n_steps += known.len() + packs.len();
-            if *n_moving < n_steps {
+            // Before they are taken, and as if the other coordinates took as many.
+            if n_moving * (n_before + 1) < n_steps * by_axis.len() {
                 return None;
             }
             let place = (axis, &points[..]);
