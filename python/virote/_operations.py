@@ -3237,7 +3237,8 @@ def minimize(f: FunctionLike, *, within: tuple[Quantity, Quantity] | Sequence[tu
     or at the best of 32 places that are spread over the bounds, and ends at the nearest valley's floor,
     which need not be the least of all. Its steps are those of sequential quadratic programming; gradients
     are exact where derivatives pass through all that the function does (see `gradient`), else central
-    differences; the last ones, by Newton's method, tell all digits of the place by exact ones. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
+    differences. Exact ones tell the place to its last digits, by steps of Newton's method, but between kinks and on
+    floors that are flat as that of a fourth power. What would be lower a little beside the answer is looked at before it is given: along each unknown, and
     of up to 200 along the ways that the conditions leave free and the function bends down, so that no saddle, nor
     the greatest value on a circle, is taken for the least. A start tells sizes that may be far from those over which the
     function bends: without conditions it is looked nearer and farther off by the sizes that the answer itself has, down to

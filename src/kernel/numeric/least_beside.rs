@@ -7,6 +7,7 @@
 
 use super::{
     answers::{Answers, Wanted},
+    least_bending::{Bending, slopes_along},
     least_model::{HoldingCondition, Terms},
     least_newton::even_out,
     least_search::{LeastSearch, clamped},
@@ -32,20 +33,6 @@ pub(super) struct Bracket {
     along: [f64; 2],
     place: Vec<f64>,
     values: Vec<f64>,
-}
-
-/// How a function bends.
-pub(super) struct Bending {
-    /// Ways that are left free, so long that it bends by one along each.
-    pub(super) ways: Vec<Vec<f64>>,
-    /// By how much longer than one they are.
-    stretch: Vec<f64>,
-    /// The axes of its curvature by those ways, each with how it bends along it.
-    pub(super) axes: Vec<(f64, Vec<f64>)>,
-    /// The conditions that hold the place.
-    pub(super) held: Vec<usize>,
-    /// What each function counts for in it: those that hold the place by how much they do.
-    pub(super) shares: Vec<f64>,
 }
 
 impl<F, E> LeastSearch<'_, F>
@@ -320,14 +307,6 @@ where
         let place: Vec<f64> = moved.map(|(k, (x, unit))| x + part(k) * unit).collect();
         clamped(&place, self.problem.bounds)
     }
-}
-
-/// How functions change together along ways, by their gradients and what each counts for.
-pub(super) fn slopes_along(ways: &[Vec<f64>], gradients: &[Vec<f64>], shares: &[f64]) -> Vec<f64> {
-    let slope = |way: &Vec<f64>| {
-        gradients.iter().zip(shares).map(|(slopes, share)| share * dot(slopes, way)).sum()
-    };
-    ways.iter().map(slope).collect()
 }
 
 pub(super) fn axis(n: usize, along: usize) -> Vec<f64> {

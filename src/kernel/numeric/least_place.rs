@@ -37,7 +37,14 @@ pub fn find_least_place<E>(
     reach = reach.max(4.0 * LAST_BIT * near.abs());
     for _ in 0..LEAST_BRACKETS {
         let [low, high] = [(near - reach).max(start), (near + reach).min(end)];
-        let (Some(before), Some(behind)) = (slope(low)?, slope(high)?) else { break };
+        let Some(before) = slope(low)? else { break };
+        if low <= start && 0.0 <= before {
+            break;
+        }
+        let Some(behind) = slope(high)? else { break };
+        if end <= high && behind <= 0.0 {
+            break;
+        }
         if before < 0.0 && 0.0 < behind {
             let found = find_root(|at| Ok::<_, E>(slope(at)?.unwrap_or(0.0)), [low, high]);
             return match found {

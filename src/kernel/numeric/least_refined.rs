@@ -6,34 +6,14 @@
 
 use super::{
     answers::{Answers, Wanted},
-    least_beside::{Bending, slopes_along},
+    least_bending::slopes_along,
     least_model::magnitude,
     least_search::LeastSearch,
-    quadratic_program::dot,
 };
 use crate::{
     ceiling::LEAST_REFINEMENTS,
-    tolerance::{KINK_ROUNDINGS, LAST_BIT, LEAST_BEND_RELATIVE, LEAST_PROBE_RELATIVE},
+    tolerance::{KINK_ROUNDINGS, LAST_BIT, LEAST_PROBE_RELATIVE},
 };
-
-impl Bending {
-    /// The step of Newton's method by the slopes along the ways; none where the function does not clearly bend up along
-    /// all of them.
-    fn newton_step(&self, slopes: &[f64]) -> Option<Vec<f64>> {
-        let most = self.axes.iter().map(|(bend, _)| *bend).fold(0.0, f64::max);
-        let mut step = vec![0.0; self.ways.first()?.len()];
-        for (bend, axis) in &self.axes {
-            if *bend <= LEAST_BEND_RELATIVE * most {
-                return None;
-            }
-            let share = -dot(slopes, axis) / bend;
-            for (way, part) in self.ways.iter().zip(axis) {
-                step.iter_mut().zip(way).for_each(|(step, along)| *step += share * part * along);
-            }
-        }
-        Some(step)
-    }
-}
 
 impl<F, E> LeastSearch<'_, F>
 where

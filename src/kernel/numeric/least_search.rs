@@ -5,7 +5,7 @@
 
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
-    least_beside::Bending,
+    least_bending::Bending,
     least_model::{CurvatureModel, ModelStep, Terms, magnitude},
     least_problem::{LeastEnd, LeastProblem},
     least_trail::LeastTrail,

@@ -24,6 +24,7 @@ mod integral_start;
 mod integral_tail;
 mod kink;
 pub(crate) mod least;
+mod least_bending;
 mod least_beside;
 mod least_beyond;
 mod least_floor;

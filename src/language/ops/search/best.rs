@@ -132,10 +132,14 @@ impl BestSearch {
             range.ends,
             found.at,
         )?;
+        let n_asked = if is_known { n_asked } else { 0 };
+        if at.to_bits() == found.at.to_bits() {
+            return Ok((found, n_asked));
+        }
         let value = asking.answers(&unknowns, &[at], Wanted::Values)?.values[0];
         let is_better = value <= found.value + BEST_ROUNDINGS * LAST_BIT * found.value.abs();
         let refined = if is_better { Sample { at, value } } else { found };
-        Ok((refined, if is_known { n_asked } else { 0 }))
+        Ok((refined, n_asked + 1))
     }
 
     /// The answer, or the record that tells how it was found.
