@@ -43,9 +43,7 @@ impl NurbsSurface {
         let circle = NurbsCurve::ellipse(frame, [own; 2], CircleForm::NinePoint).ok()?;
         Some(circle.reparametrized(Interval::new(0.0, TAU * own).ok()?))
     }
-}
 
-impl NurbsSurface {
     /// The circle in which it crosses another sphere, both whole; none of others, and of spheres within some tolerances
     /// of touching one another or of being one. It runs along N × N of the two.
     pub(in crate::surface) fn crossing_of_balls(

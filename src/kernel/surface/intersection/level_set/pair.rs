@@ -219,6 +219,13 @@ impl SurfacePart {
         spread < CLEAR * own.axis.cross(its.axis).length()
     }
 
+    /// Whether a normal is outside of its own by no more than these are wide: with it two parts that cross clearly still
+    /// cross in at most one arc.
+    pub(super) fn turns_little_to(&self, normal: DVec3) -> bool {
+        let NormalCone { axis, angle } = self.cone();
+        axis.angle_between(normal) <= 2.0 * angle + NORMAL_ROUNDING
+    }
+
     /// Whether its normals are all on one side of a plane, so that it does not turn over.
     pub(in crate::surface) fn is_regular(&self) -> bool {
         self.cone().angle < std::f64::consts::FRAC_PI_2

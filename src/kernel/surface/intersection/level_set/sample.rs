@@ -9,7 +9,7 @@ use super::{
     error::PictureError,
 };
 use crate::{
-    GeomError, NurbsSurface,
+    Bounds, GeomError, NurbsSurface,
     ceiling::{BRANCH_SAMPLES, SAMPLE_HALVINGS},
     frame::unit,
     work,
@@ -63,6 +63,13 @@ impl BranchSamples {
     pub(super) fn is_on(&self, runs: &[Self], tolerance: f64) -> bool {
         let point = self.samples[self.samples.len() / 2].point;
         runs.iter().any(|other| other.passes(point, tolerance))
+    }
+
+    /// Whether it begins or ends in both of two boxes, within a distance, and does not close there.
+    pub(super) fn ends_within(&self, boxes: [Bounds; 2], distance: f64) -> bool {
+        let [start, end] = [self.start(), self.end()];
+        let is_here = |point| boxes.iter().all(|bounds| bounds.contains(point, distance));
+        start != end && (is_here(start) || is_here(end))
     }
 
     /// Whether it passes through a point.

@@ -28,7 +28,7 @@ use super::{
     verify::{self, CurveOrigin},
 };
 use crate::{
-    Direction, GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
+    Bounds, Direction, GeomError, NurbsCurve, NurbsSurface, Surface, Tolerance,
     ceiling::SURFACE_PAIRS,
     mesh::check_rounding,
     tolerance::{CONTACT_SHARE, ONE_PLACE_SHARE},
@@ -327,6 +327,10 @@ fn branches(crossing: &SurfacePair<'_>, ends: &CurveEnds, runs: &mut Vec<BranchS
 }
 
 /// Adds the curves through all pairs that are not known.
+///
+/// Of a pair there is at most one arc. A curve that runs along a side of its parts leaves them and comes back all along it;
+/// one that is known and runs beside both is that arc, since their normals turn by so little up to there that both would
+/// be one.
 fn arcs(
     crossing: &SurfacePair<'_>,
     pairs: Vec<[Arc<SurfacePart>; 2]>,
@@ -345,14 +349,16 @@ fn arcs(
         if SURFACE_PAIRS < n_pairs {
             return Err(PictureError::TooTangled { point: a.bounds.center() }.into());
         }
-        let size = a.bounds.diagonal().max(b.bounds.diagonal());
+        let boxes = [a.bounds, b.bounds];
+        let size = boxes.map(Bounds::diagonal).into_iter().fold(0.0, f64::max);
         let place = crossing.common_near(&pair);
         let Some(place) = place.and_then(|place| crossing.inside(place, &pair)) else {
-            // A curve along a side of parts leaves them and comes back all along it.
             let is_known = place.is_some_and(|place| {
                 let mut known = runs.iter();
                 crossing.is_beside(&place, &pair)
-                    && known.any(|run| run.passes(place.point, crossing.tolerance))
+                    && known.any(|run| {
+                        run.passes(place.point, crossing.tolerance) && !run.ends_within(boxes, near)
+                    })
             });
             if crossing.tolerance < size && !is_known {
                 todo.extend(halved(pair, near, &mut n_kept));
@@ -379,10 +385,7 @@ fn arcs(
             }
         }
         // Behind the end of a run another may begin.
-        let ends_here = run.is_some_and(|run| {
-            let is_here = |point| a.bounds.contains(point, near) && b.bounds.contains(point, near);
-            run.start() != run.end() && (is_here(run.start()) || is_here(run.end()))
-        });
+        let ends_here = run.is_some_and(|run| run.ends_within(boxes, near));
         if ends_here && crossing.tolerance < size {
             todo.extend(halved(pair, near, &mut n_kept));
         }

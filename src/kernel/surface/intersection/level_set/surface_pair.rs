@@ -144,14 +144,18 @@ impl<'s> SurfacePair<'s> {
         (a.holds([u, v]) && b.holds([s, t])).then(|| self.within_domains(place))
     }
 
-    /// Whether a common place is no farther than the tolerance from each of two parts.
+    /// Whether a common place is no farther than the tolerance from each of two parts, and their normals hardly turn up to
+    /// there, as over a crease.
     pub(super) fn is_beside(&self, place: &PairParameters, pair: &[Arc<SurfacePart>; 2]) -> bool {
         let [u, v, s, t] = place.at;
-        let mut sides = self.surfaces.into_iter().zip(pair).zip([[u, v], [s, t]]);
+        let [pu, pv, qu, qv] = self.look(place.at).slopes;
+        let sides = self.surfaces.into_iter().zip(pair).zip([[u, v], [s, t]]);
+        let mut with_normals = sides.zip([pu.cross(pv), qu.cross(qv)]);
         self.is_inside(place.at)
-            && sides.all(|((surface, part), at)| {
+            && with_normals.all(|(((surface, part), at), normal)| {
                 let [u, v] = [0, 1].map(|k| at[k].clamp(part.low[k], part.high[k]));
                 surface.point_at(u, v).distance(place.point) <= self.tolerance
+                    && unit(normal).is_some_and(|normal| part.turns_little_to(normal))
             })
     }
 
