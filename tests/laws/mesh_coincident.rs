@@ -142,7 +142,7 @@ proptest! {
 
     #[test]
     fn cut_and_fill_of_earth_within_the_same_walls_balance(
-        cells in [2..7usize, 2..7usize],
+        cells in [2..5usize, 2..5usize],
         heights in vec(1.0..2.0, 98),
         motion in motion(),
     ) {

@@ -103,7 +103,7 @@ fn patch(noise: &[(f64, f64, f64, f64)]) -> NurbsSurface {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn pieces_of_a_surface_are_open_where_the_surface_is(

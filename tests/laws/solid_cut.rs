@@ -214,7 +214,7 @@ fn a_sieve_is_cut_through_its_holes() {
     for normal in
         [DVec3::X, DVec3::Y, DVec3::Z, DVec3::new(1.0, 0.4, 0.2), DVec3::new(0.1, 0.2, 1.0)]
     {
-        for step in [0, 2, 4, 6] {
+        for step in [0, 4] {
             let origin = normal.normalize() * (0.37 * f64::from(step) + 0.01);
             let plane = Frame::from_normal(origin, normal, None).expect("a plane");
             let ([below, above], _) = cut(&solid, plane);

@@ -6,7 +6,7 @@ use std::{
 };
 
 use glam::{DAffine3, DQuat, DVec3};
-use proptest::{collection::vec, prop_assert, proptest};
+use proptest::{collection::vec, prelude::ProptestConfig, prop_assert, proptest};
 use virote_kernel::{
     AreaStrip, CircleForm, Cutter, Face, Frame, KnotVector, NurbsCurve, NurbsSurface, Region,
     RegionSide, Tolerance, find_integral,
@@ -74,6 +74,9 @@ fn check(region: &Region) {
 }
 
 proptest! {
+    // Each is four long sums.
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
     #[test]
     fn strips_fill_what_boundaries_enclose(radii in vec(1.0..3.0_f64, 5..12), turn in 0.0..TAU, hole in 0.1..0.5_f64) {
         let whole = blob(0.0, 0.0, &radii);

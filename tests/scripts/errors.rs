@@ -6,7 +6,7 @@
 //! message as a beginner would. Does it name the culprit and its place, what was expected and
 //! found, and what to do?
 
-use crate::support::{compare, files_below, folder, programs, report, transcript};
+use crate::support::{compare, complaints_of, files_below, folder, report, transcript};
 
 fn expected_code(name: &str) -> i32 {
     match name.split('-').next() {
@@ -19,21 +19,19 @@ fn expected_code(name: &str) -> i32 {
 #[test]
 fn mistakes_are_told() {
     let folder = folder("tests/errors");
-    let mut complaints = Vec::new();
-    for name in programs(&folder) {
-        let (code, text) = transcript(&folder, &name);
+    report(&complaints_of(&folder, |name| {
+        let (code, text) = transcript(&folder, name);
+        let mut complaints = Vec::new();
         if text.contains("virote failed") {
             complaints.push(format!("{name}.geo panics:\n{text}"));
         }
-        if code != expected_code(&name) {
-            complaints.push(format!(
-                "{name}.geo exits with {code}, not {}:\n{text}",
-                expected_code(&name)
-            ));
+        let expected = expected_code(name);
+        if code != expected {
+            complaints.push(format!("{name}.geo exits with {code}, not {expected}:\n{text}"));
         }
         complaints.extend(compare(&folder.join(format!("{name}.out")), &text));
-    }
-    report(&complaints);
+        complaints
+    }));
 }
 
 #[test]

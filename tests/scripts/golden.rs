@@ -8,14 +8,14 @@
 //! `VIROTE_BLESS=1 cargo test --test scripts golden` rewrites the golden files. A program that begins with
 //! a line such as `// --set n=3` is run with those arguments.
 
-use crate::support::{compare, folder, programs, report, told, transcript, virote};
+use crate::support::{compare, complaints_of, folder, programs, report, told, transcript, virote};
 
 #[test]
 fn programs_say_and_write_what_they_did() {
     let folder = folder("tests/golden");
-    let mut complaints = Vec::new();
-    for name in programs(&folder) {
-        let (code, text) = transcript(&folder, &name);
+    report(&complaints_of(&folder, |name| {
+        let (code, text) = transcript(&folder, name);
+        let mut complaints = Vec::new();
         if text.contains("virote failed") {
             complaints.push(format!("{name}.geo panics:\n{text}"));
         }
@@ -25,8 +25,8 @@ fn programs_say_and_write_what_they_did() {
         } else {
             complaints.extend(compare(&folder.join(format!("{name}.out")), &text));
         }
-    }
-    report(&complaints);
+        complaints
+    }));
 }
 
 /// Runs the checks of every program of a folder.

@@ -11,6 +11,11 @@ use std::{
     fs,
     path::{Path, PathBuf},
     process::{Command, Output, Stdio},
+    sync::{
+        Mutex,
+        atomic::{AtomicUsize, Ordering},
+    },
+    thread,
 };
 
 /// Text files up to this size stand in the golden file; of others it tells the size.
@@ -69,6 +74,29 @@ pub(crate) fn programs(folder: &Path) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+/// What is to complain about in the programs of a folder, which are looked at on all processors, in order.
+pub(crate) fn complaints_of(
+    folder: &Path,
+    look: impl Fn(&str) -> Vec<String> + Sync,
+) -> Vec<String> {
+    let (names, next) = (programs(folder), AtomicUsize::new(0));
+    let found = Mutex::new(Vec::new());
+    let work = || {
+        while let Some(name) = names.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let complaints = look(name);
+            found.lock().expect("a list").push((name, complaints));
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(work);
+        }
+    });
+    let mut found = found.into_inner().expect("a list");
+    found.sort();
+    found.into_iter().flat_map(|(_, complaints)| complaints).collect()
 }
 
 /// Every file below a folder, as paths with `/`, in order.

@@ -60,6 +60,8 @@ pub(super) struct CountedFunctions<F> {
     /// By how much the slopes differ on both sides of where the last differences were taken, of each function by each
     /// unknown: nothing where that is rounding.
     pub(super) jumps: Vec<Vec<f64>>,
+    /// The sizes of the unknowns, if told: beside them zero but for rounding is zero.
+    pub(super) sizes: Vec<f64>,
     /// Whether the functions had none where they were asked for some beside a place without.
     is_without: bool,
 }
@@ -73,6 +75,7 @@ impl<F> CountedFunctions<F> {
             has_differences: false,
             reach,
             jumps: Vec::new(),
+            sizes: Vec::new(),
             is_without: false,
         }
     }
@@ -114,10 +117,13 @@ impl<F> CountedFunctions<F> {
         self.jumps = vec![vec![0.0; place.len()]; own.values.len()];
         let size = place.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let size = if 0.0 < size { size } else { 1.0 };
+        let sizes = std::mem::take(&mut self.sizes);
         let mut beside = place.to_vec();
         let mut gradients = vec![vec![0.0; place.len()]; own.values.len()];
         for (k, &x) in place.iter().enumerate() {
-            let reach = self.reach * x.abs().max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
+            let least = sizes.get(k).map_or(0.0, |size| LAST_BIT.sqrt() * size);
+            let size = least.max(libm::cbrt(DIFFERENCE_RELATIVE) * size);
+            let reach = self.reach * x.abs().max(size);
             let [least, most] = bounds.get(k).copied().unwrap_or([-f64::INFINITY, f64::INFINITY]);
             let [low, high] = [(x - reach).max(least), (x + reach).min(most)];
             beside[k] = low;
@@ -137,6 +143,7 @@ impl<F> CountedFunctions<F> {
                 }
             }
         }
+        self.sizes = sizes;
         Ok(gradients)
     }
 }

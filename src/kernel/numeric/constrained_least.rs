@@ -289,6 +289,18 @@ mod tests {
     }
 
     #[test]
+    fn even_slopes_are_held_by_curved_conditions_from_inside() {
+        let disc = |x: &[f64]| vec![x[0] + x[1], 1.0 - x[0] * x[0] - x[1] * x[1]];
+        check(&found(disc, &[0.1; 2], &[FREE; 2], 0), &[-0.5_f64.sqrt(); 2]);
+        // The condition is level on the way at what is zero but for rounding.
+        let small = |x: &[f64]| vec![-x[0], 3e-5 - 0.25 * (x[0] + 0.01) * (x[0] + 0.01)];
+        let end = 2.0 * 3e-5_f64.sqrt() - 0.01;
+        for start in [-0.0084, -0.0099, -0.01, -1e-9] {
+            check(&found(small, &[start], &[FREE], 0), &[end]);
+        }
+    }
+
+    #[test]
     fn what_has_no_least_value_is_told() {
         let ends = [
             found(|x| vec![x[0] - x[1]], &[1.0, 2.0], &[FREE; 2], 0).end,

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     ceiling::CONSTRAINED_HALVINGS,
-    tolerance::{ARMIJO, LEAST_FAR},
+    tolerance::{ARMIJO, CONDITION_RELATIVE, LEAST_FAR},
 };
 
 /// The share of its slope at the beginning by which a function still falls where a step is to go on.
@@ -38,6 +38,10 @@ where
         let mut best = None;
         for halving in 0..CONSTRAINED_HALVINGS {
             let (place, values) = self.moved(way, share)?;
+            // Farther than the model leads nothing holds it where conditions bend.
+            if 1.0 < share && self.breaks_more(terms, &values) {
+                break;
+            }
             let is_enough = |merit_there: f64, share: f64| {
                 merit_there < merit && merit_there <= merit + ARMIJO * share * slope
             };
@@ -83,6 +87,14 @@ where
             }
         }
         Ok(best)
+    }
+
+    /// Whether a condition is broken by more than where a step begins.
+    fn breaks_more(&self, terms: &Terms<'_>, values: &[f64]) -> bool {
+        let weighted = self.weighted(values);
+        let before = self.problem.broken(terms.values);
+        let mut pairs = self.problem.broken(&weighted).zip(before);
+        pairs.any(|(there, here)| here + CONDITION_RELATIVE < there)
     }
 
     /// How the penalized value changes along a way from a place with these gradients and values.

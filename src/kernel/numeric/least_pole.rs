@@ -21,6 +21,9 @@ use crate::tolerance::CONDITION_RELATIVE;
 /// assert!((find_pole(logarithm, [0.0, 5.0], near)?.expect("a pole") - 1.0).abs() < 1e-12);
 /// let root = |x: f64| Ok::<_, ()>(Some((x - 1.0).abs().sqrt()));
 /// assert_eq!(find_pole(root, [0.0, 5.0], Sample { at: 1.0, value: 0.0 })?, None);
+/// // Where the interval ends it has a value, however low.
+/// let steep = |x: f64| Ok::<_, ()>(Some(-1e300 * x * x));
+/// assert_eq!(find_pole(steep, [0.0, 1.0], Sample { at: 1.0, value: -1e300 })?, None);
 /// # Ok::<(), ()>(())
 /// ```
 ///

@@ -11,7 +11,9 @@ use super::{
 };
 use crate::{
     ceiling::{CONSTRAINED_RESTARTS, CONSTRAINED_ROUNDS},
-    tolerance::{LEAST_FALL_REACH, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE},
+    tolerance::{
+        CONTRADICTION_RELATIVE, LEAST_FALL_REACH, LEAST_LOWER_RELATIVE, LEAST_PROBE_RELATIVE,
+    },
 };
 
 /// Rounds behind which places beside the end were better again and again, at most.
@@ -57,7 +59,12 @@ impl LeastProblem<'_> {
             let place = match floor {
                 Floor::Told => {
                     search.refine()?;
-                    return Ok(search.ended_by(LeastEnd::Settled));
+                    let told = search.ended_by(LeastEnd::Settled);
+                    let is_of_start = before.n_rounds == 1 || told.values.len() == 1;
+                    if is_of_start || self.holds_at(&told.place, asked)? {
+                        return Ok(told);
+                    }
+                    told.place
                 }
                 Floor::Other(end) => return Ok(before.told(search.ended_by(end))),
                 Floor::Lower(place) => place,
@@ -66,6 +73,16 @@ impl LeastProblem<'_> {
         }
         let search = LeastSearch::new(LeastProblem { start: &start, ..*self }, asked)?;
         Ok(before.told(search.ended_by(LeastEnd::Unsettled)))
+    }
+
+    /// Whether the conditions hold at a place by the sizes that it tells: what is nothing beside those of a round that
+    /// began far away may be much.
+    fn holds_at<F, E>(&self, place: &[f64], asked: &mut CountedFunctions<F>) -> Result<bool, E>
+    where
+        F: FnMut(&[f64], Wanted) -> Result<Answers, E>,
+    {
+        let search = LeastSearch::new(LeastProblem { start: place, ..*self }, asked)?;
+        Ok(search.most_broken() <= CONTRADICTION_RELATIVE)
     }
 }
 

@@ -110,6 +110,7 @@ where
             first_merit: 0.0,
             start_merit: 0.0,
         };
+        search.asked.sizes.clone_from(&search.units);
         let slopes = search.asked.gradients(&search.place, search.problem.bounds)?;
         let changes = search.widen_units(&search.scaled(slopes.clone()))?;
         let gradients = search.scaled(slopes.clone());

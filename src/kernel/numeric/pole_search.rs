@@ -64,12 +64,15 @@ where
             return Ok(None);
         }
         self.approach()?;
-        let mut is_pole = self.best.1 < END_OF_NUMBERS;
+        let (mut is_pole, mut ends) = (false, false);
         for way in 0..self.n_ways {
             for side in [-1.0, 1.0] {
+                ends = ends || self.ends_behind(way, side)?;
                 is_pole = is_pole || self.falls_on(way, side)?;
             }
         }
+        // A value there, however low, is one where a way ends on it.
+        is_pole = is_pole || self.best.1 < END_OF_NUMBERS && !ends;
         Ok(is_pole.then_some(self.best.0))
     }
 
@@ -133,15 +136,25 @@ where
         Ok(false)
     }
 
+    /// How near to the best place a function is asked on a way.
+    fn nearest(&self, way: usize) -> f64 {
+        NEARER * (self.spacing)(&self.best.0, way).max(POLE_NEAREST)
+    }
+
+    /// Whether a way that comes from one side ends at the best place.
+    fn ends_behind(&mut self, way: usize, side: f64) -> Result<bool, E> {
+        let nearest = self.nearest(way);
+        let behind = (self.go)(&self.best.0, way, -side * nearest)?;
+        Ok(behind.is_some_and(|(place, _)| place == self.best.0))
+    }
+
     /// Whether the function falls towards the best place from one side of a way by no less the nearer it is asked. It does
     /// not where the way ends behind that place, on which there is a value.
     fn falls_on(&mut self, way: usize, side: f64) -> Result<bool, E> {
-        let spacing = (self.spacing)(&self.best.0, way);
-        let mut nearest = NEARER * spacing.max(POLE_NEAREST);
-        let behind = (self.go)(&self.best.0, way, -side * nearest)?;
-        if behind.is_some_and(|(place, _)| place == self.best.0) {
+        if self.ends_behind(way, side)? {
             return Ok(false);
         }
+        let mut nearest = self.nearest(way);
         for _ in 0..SHORTENINGS {
             let is_told = nearest * NEARER * NEARER < LEAST_PROBE_RELATIVE;
             if is_told && self.value(way, side * nearest)?.is_some() {
