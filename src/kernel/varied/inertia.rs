@@ -175,12 +175,12 @@ mod tests {
             let (turn, side) = (angle.abs(), angle.signum());
             let (sin, cos) = (libm::sin(turn), libm::cos(turn));
             let moments = |outer: f64| {
-                let power = |k: i32| height * (outer.powi(k) - inner.powi(k)) / f64::from(k);
-                let volume = turn * power(2);
-                let [x, y] = [sin * power(3), side * (1.0 - cos) * power(3)];
-                let xx = 0.5 * (turn + sin * cos) * power(4);
-                let yy = 0.5 * (turn - sin * cos) * power(4);
-                let xy = 0.5 * side * sin * sin * power(4);
+                let power = |k: f64| height * (libm::pow(outer, k) - libm::pow(inner, k)) / k;
+                let volume = turn * power(2.0);
+                let [x, y] = [sin * power(3.0), side * (1.0 - cos) * power(3.0)];
+                let xx = 0.5 * (turn + sin * cos) * power(4.0);
+                let yy = 0.5 * (turn - sin * cos) * power(4.0);
+                let xy = 0.5 * side * sin * sin * power(4.0);
                 let zz = volume * height * height / 12.0;
                 [xx - x * x / volume, yy - y * y / volume, xy - x * y / volume, zz]
             };

@@ -7,6 +7,7 @@ use super::{
     },
     *,
 };
+use crate::kernel::KnotVector;
 
 const N_VARIABLES: usize = 3;
 
@@ -178,4 +179,49 @@ fn sizes_are_the_largest_of_what_moves() {
     // The points of the curve are 0 to 2 of its kind, those of its slopes 1 to 3, twice and halved.
     assert_eq!([of(6, 0), of(6, 1), of(6, 2)], [[6.0, 2.0], [0.0; 2], [1.5, 2.0]]);
     assert_eq!([of(7, 0), of(8, 1)], [[18.0, 6.25], [8.0, 1.0]]);
+}
+
+#[test]
+fn values_of_one_form_differ_in_their_numbers_alone() {
+    let knots = |knots: &[f64]| {
+        let points: Vec<DVec3> = (0..3).map(point).collect();
+        let knots = KnotVector::new(knots.len() - 4, knots.to_vec()).expect("knots");
+        Value::Curve(Curve::Nurbs(Arc::new(
+            NurbsCurve::polynomial(knots, &points).expect("a curve"),
+        )))
+    };
+    let number = |value: f64, dim: Dimension| Value::Number(Number { value, dim });
+    let range = |end: f64, closed: bool| {
+        let number = |value: f64| Number { value, dim: Dimension::NONE };
+        Value::Range(super::super::Range { start: number(0.0), end: number(end), closed })
+    };
+    let record = |label: &str, value: Value| {
+        Value::Record(Arc::new(Record::new([(Arc::from(label), value)])))
+    };
+    let (even, uneven) = (knots(&[0.0, 0.0, 1.0, 2.0, 2.0]), knots(&[0.0, 0.0, 1.5, 2.0, 2.0]));
+    let moved = Value::Curve(Curve::Nurbs(Arc::new(
+        NurbsCurve::polyline(&[point(5), point(1), point(0)]).expect("a polygon"),
+    )));
+    let of = number(1.0, Dimension::LENGTH);
+    assert!(are_alike(&even, &moved) && are_alike(&of, &number(2.0, Dimension::LENGTH)));
+    assert!(are_alike(&range(1.0, true), &range(4.0, true)));
+    assert!(are_alike(&record("a", of.clone()), &record("a", number(3.0, Dimension::LENGTH))));
+    assert!(are_alike(
+        &Value::list(vec![even.clone(), of.clone()]),
+        &Value::list(vec![moved, of.clone()])
+    ));
+    let others = [
+        (even.clone(), uneven),
+        (even.clone(), knots(&[0.0, 0.0, 0.0, 2.0, 2.0, 2.0])),
+        (even, Value::Curve(Curve::Nurbs(curve(4)))),
+        (of.clone(), number(1.0, Dimension::NONE)),
+        (range(1.0, true), range(1.0, false)),
+        (record("a", of.clone()), record("b", of.clone())),
+        (Value::list(vec![of.clone()]), Value::list(vec![of.clone(), of.clone()])),
+        (Value::Bool(true), Value::Bool(false)),
+        (of, Value::Point(point(1))),
+    ];
+    for (a, b) in &others {
+        assert!(!are_alike(a, b) && !are_alike(b, a), "{a:?} and {b:?}");
+    }
 }
