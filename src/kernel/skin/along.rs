@@ -248,7 +248,7 @@ mod tests {
     fn monotone_in_x(parameters: &[f64], values: &[f64], is_closed: bool) -> Vec<f64> {
         let values: Vec<DVec4> = values.iter().map(|&x| DVec4::new(x, 0.0, 0.0, 1.0)).collect();
         let points = monotone(parameters, &values, is_closed);
-        assert!(points.iter().all(|point| point.w == 1.0 && point.y == 0.0));
+        assert!(points.iter().all(|point| (point.w - 1.0).abs() < 1e-15 && point.y.abs() < 1e-15));
         points.iter().map(|point| point.x).collect()
     }
 

@@ -88,8 +88,9 @@ mod tests {
                 weights.iter().map(|&w| DVec4::new(3.0, -2.0, 9.0, w)).collect();
             ratio(points.iter())
         };
-        assert_eq!([of(&[2.0, 9.0, 4.0]), of(&[5.0, 5.0])], [4.5, 1.0]);
-        assert_eq!([of(&[1.0, 0.0]), of(&[1.0, -1.0])], [f64::INFINITY; 2]);
+        assert!((of(&[2.0, 9.0, 4.0]) - 4.5).abs() < 1e-15);
+        assert!((of(&[5.0, 5.0]) - 1.0).abs() < 1e-15);
+        assert!(of(&[1.0, 0.0]).is_infinite() && of(&[1.0, -1.0]).is_infinite());
     }
 
     #[test]
