@@ -223,3 +223,71 @@ fn composed(points: &[DVec4], inner: &[f64]) -> Vec<DVec4> {
     }
     row.swap_remove(0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Places that go to others, at which the slope may only be known to lie between two bounds.
+    #[track_caller]
+    fn check(from: &[f64], to: &[f64], is_ring: bool) -> NetworkParameterMap {
+        let map = NetworkParameterMap::new(from, to, is_ring).expect("a map");
+        for (t, target) in from.iter().zip(to) {
+            assert!((map.at(*t) - target).abs() < 1e-12, "{t} goes to {}", map.at(*t));
+        }
+        let (start, end) = (from[0], from[from.len() - 1]);
+        let places: Vec<f64> =
+            (0..=200).map(|k| start + (end - start) * k as f64 / 200.0).collect();
+        assert!(places.windows(2).all(|pair| map.at(pair[0]) < map.at(pair[1])));
+        for t in &places {
+            assert!((map.inverse(map.at(*t)) - t).abs() < 1e-9, "{t}");
+        }
+        map
+    }
+
+    /// The slopes beside a place.
+    fn slopes(map: &NetworkParameterMap, t: f64) -> [f64; 2] {
+        let h = 1e-6;
+        [-h, h].map(|h| (map.at(t + h) - map.at(t)) / h)
+    }
+
+    #[test]
+    fn an_even_map_is_straight() {
+        for is_ring in [false, true] {
+            let map = check(&[0.0, 1.0, 2.5, 3.0, 5.0], &[1.0, 3.0, 6.0, 7.0, 11.0], is_ring);
+            for k in 0..=50 {
+                assert!((map.at(0.1 * k as f64) - 1.0 - 0.2 * k as f64).abs() < 1e-12);
+            }
+            assert!((map.least_slope() - 2.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_gentle_map_runs_smoothly_through_its_places() {
+        let (from, to) = ([0.0, 1.0, 2.0, 3.0, 4.0], [0.0, 1.2, 2.1, 2.9, 4.0]);
+        for is_ring in [false, true] {
+            let map = check(&from, &to, is_ring);
+            let joints = from[1..4].iter().map(|t| slopes(&map, *t));
+            assert!(joints.clone().all(|[a, b]| (a - b).abs() < 1e-5));
+            if is_ring {
+                let around = [slopes(&map, 0.0)[1], slopes(&map, 4.0)[0]];
+                assert!((around[0] - around[1]).abs() < 1e-5, "{around:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_steep_map_has_the_least_of_its_neighbours_slopes_at_its_places() {
+        let (from, to) = ([0.0, 1.0, 2.0, 4.0, 5.0], [0.0, 0.01, 1.0, 1.02, 2.0]);
+        let least = [0.01, 0.01, 0.01, 0.01, 0.98];
+        for is_ring in [false, true] {
+            let map = check(&from, &to, is_ring);
+            for (k, expected) in least.into_iter().enumerate() {
+                let [before, behind] = slopes(&map, from[k]);
+                let expected = if is_ring && k == 4 { 0.01 } else { expected };
+                assert!(k == 0 || (before - expected).abs() < 1e-4, "{k}: {before}");
+                assert!(k == 4 || (behind - expected).abs() < 1e-4, "{k}: {behind}");
+            }
+        }
+    }
+}

@@ -210,7 +210,7 @@ pub(super) fn add(sum: &mut Vec<f64>, factor: f64, value: &[f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{AT_EIGHT, AT_ENDS, PLACES, places};
+    use super::{AT_EIGHT, AT_ENDS, PLACES, piece, places};
     use crate::numeric::gauss_legendre::EIGHT_NODES;
 
     #[test]
@@ -225,5 +225,19 @@ mod tests {
                 assert!((found - value(place)).abs() < 1e-13, "{found} at {place}");
             }
         }
+    }
+
+    #[test]
+    fn a_piece_is_smooth_beside_one_with_a_kink_and_beside_no_other() {
+        let of = |kink: f64| {
+            let mut size = |x: f64| Ok::<_, ()>((vec![(x - kink).abs()], (x - kink).abs()));
+            piece(&mut size, [0.0, 1.0]).expect("a function")
+        };
+        let (smooth, kinked, other) = (of(2.0), of(0.4), of(0.6));
+        assert!((smooth.value[0] - 1.5).abs() < 1e-14 && smooth.error < 1e-14);
+        assert!(smooth.is_smooth_beside(&kinked) && !kinked.is_smooth_beside(&smooth));
+        assert!(!kinked.is_smooth_beside(&other) && !other.is_smooth_beside(&kinked));
+        // Of a kink at c the integral is (c² + (1 − c)²)/2.
+        assert!((kinked.value[0] - 0.26).abs() < kinked.error);
     }
 }

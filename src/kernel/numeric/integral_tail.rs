@@ -142,3 +142,79 @@ impl Tail {
 pub(super) fn spacing(at: f64) -> f64 {
     at.abs().next_up() - at.abs()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{super::integral_piece::piece, *};
+
+    /// Pieces from a distance on, each twice as long as the one before, on a side of a place.
+    fn pieces(
+        at: f64,
+        side: f64,
+        size_at: impl Fn(f64) -> f64,
+        nearest: f64,
+    ) -> Vec<IntegrationInterval> {
+        let mut size = |x: f64| {
+            let size = size_at((x - at).abs());
+            Ok::<_, ()>((vec![size], size))
+        };
+        let mut of = |k: i32| {
+            let ends = [k, k + 1].map(|k| at + side * libm::ldexp(nearest, k));
+            piece(&mut size, [ends[0].min(ends[1]), ends[0].max(ends[1])]).expect("a function")
+        };
+        (0..40).map(&mut of).collect()
+    }
+
+    /// Over a part of the way to x⁻ᵠ, its size times the distance falls as the power 1 − q of the distance.
+    #[test]
+    fn a_power_falls_by_one_more_than_itself() {
+        for (at, side, power) in [(0.0, 1.0, 0.5), (2.0, -1.0, 0.75), (-3.0, 1.0, 0.2)] {
+            let size = |distance: f64| libm::pow(distance, -power);
+            let nearest = 1e-9;
+            let known = Tail::known(at, side, pieces(at, side, size, nearest).iter());
+            let known = known.expect("forty pieces");
+            let fall = known.last() / known.part;
+            // A piece stands for its middle, a twentieth of a part away at most.
+            assert!((fall - (1.0 - power)).abs() < 0.12, "{fall} of {power}");
+            assert!(!known.is_endless());
+            let distances = known.gains.iter().map(|gain| gain[0]);
+            assert!(distances.clone().zip(distances.skip(1)).all(|(a, b)| b < a));
+            assert!((known.gains[PARTS][0] / (nearest * 2.0_f64.sqrt()) - 1.0).abs() < 1e-3);
+
+            let mut asked = |x: f64| Some(size((x - at).abs()));
+            let told = Tail::towards(&mut asked, at, side * 0.5).expect("a tail");
+            assert!((told.last() / told.part - (1.0 - power)).abs() < 1e-3);
+            assert!((told.gains[0][0] - 0.5).abs() < 1e-12);
+            let gain = libm::pow(0.5, 1.0 - power);
+            assert!((told.gains[0][1] - gain).abs() < 1e-9);
+            let factor = (TAIL_MARGIN / (libm::pow(4.0, 1.0 - power) - 1.0)).max(1.0);
+            assert!((told.error_factor() - factor).abs() < 1e-2, "{}", told.error_factor());
+        }
+    }
+
+    #[test]
+    fn what_falls_by_no_more_than_its_logarithm_is_endless() {
+        let falls = |power: f64| {
+            move |distance: f64| {
+                1.0 / (distance * libm::pow(libm::log(distance).abs().max(1e-3), power))
+            }
+        };
+        for (power, is_endless) in [(0.0, true), (1.0, true), (2.0, false)] {
+            let size = falls(power);
+            let mut asked = |x: f64| Some(size(x));
+            let told = Tail::towards(&mut asked, 0.0, 0.1).expect("a tail");
+            assert_eq!(told.is_endless(), is_endless, "1/(x·lnᵖ x) for p = {power}");
+        }
+        let known = Tail::known(0.0, 1.0, pieces(0.0, 1.0, falls(0.0), 1e-11).iter());
+        assert!(known.expect("forty pieces").is_endless());
+    }
+
+    #[test]
+    fn too_few_pieces_and_a_function_that_fails_tell_nothing() {
+        let few = pieces(0.0, 1.0, |_| 1.0, 1.0);
+        assert!(Tail::known(0.0, 1.0, few[..3].iter()).is_none());
+        assert!(Tail::known(0.0, -1.0, few.iter()).is_none());
+        assert!(Tail::towards(&mut |_| None, 0.0, 1.0).is_none());
+        assert!(Tail::towards(&mut |_| Some(f64::INFINITY), 0.0, 1.0).is_none());
+    }
+}

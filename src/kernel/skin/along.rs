@@ -240,3 +240,48 @@ fn monotone(parameters: &[f64], values: &[DVec4], is_closed: bool) -> Vec<DVec4>
 fn each(a: DVec4, b: DVec4, f: impl Fn(f64, f64) -> f64) -> DVec4 {
     DVec4::from_array(std::array::from_fn(|i| f(a[i], b[i])))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn monotone_in_x(parameters: &[f64], values: &[f64], is_closed: bool) -> Vec<f64> {
+        let values: Vec<DVec4> = values.iter().map(|&x| DVec4::new(x, 0.0, 0.0, 1.0)).collect();
+        let points = monotone(parameters, &values, is_closed);
+        assert!(points.iter().all(|point| (point.w - 1.0).abs() < 1e-15 && point.y.abs() < 1e-15));
+        points.iter().map(|point| point.x).collect()
+    }
+
+    #[track_caller]
+    fn check(found: &[f64], expected: &[f64]) {
+        assert_eq!(found.len(), expected.len());
+        assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{found:?}");
+    }
+
+    /// Derivatives by Moler, *Numerical Computing with MATLAB*, §3.4: 6/7 in the middle, and 2.5 and 0 at the ends.
+    #[test]
+    fn derivatives_are_weighted_harmonic_means() {
+        let found = monotone_in_x(&[0.0, 1.0, 3.0], &[0.0, 2.0, 3.0], false);
+        check(&found, &[0.0, 2.5 / 3.0, 2.0 - 2.0 / 7.0, 2.0 + 4.0 / 7.0, 3.0, 3.0]);
+        // Around a ring the joint has the slopes 0.5 before and 2 behind it, of widths 2 and 1.
+        let joint = 9.0 / (4.0 / 0.5 + 5.0 / 2.0);
+        let found = monotone_in_x(&[0.0, 1.0, 3.0], &[0.0, 2.0, 3.0], true);
+        let last = 3.0 - 2.0 * joint / 3.0;
+        check(&found, &[0.0, joint / 3.0, 2.0 - 2.0 / 7.0, 2.0 + 4.0 / 7.0, last, 3.0]);
+    }
+
+    #[test]
+    fn where_values_turn_the_line_rests_and_its_end_is_no_steeper_than_three_slopes() {
+        let found = monotone_in_x(&[0.0, 1.0, 2.0], &[0.0, 1.0, -9.0], false);
+        // At the end ((2 + 1)·(−10) − 1)/2.
+        check(&found, &[0.0, 1.0, 1.0, 1.0, -9.0 + 15.5 / 3.0, -9.0]);
+    }
+
+    #[test]
+    fn even_values_go_on_a_straight_line() {
+        let found = monotone_in_x(&[0.0, 1.0, 3.0, 3.5], &[1.0, 3.0, 7.0, 8.0], false);
+        let thirds = [0.0, 1.0 / 3.0, 2.0 / 3.0, 5.0 / 3.0, 7.0 / 3.0, 9.5 / 3.0, 10.0 / 3.0, 3.5];
+        check(&found, &thirds.map(|t| 1.0 + 2.0 * t));
+        check(&monotone_in_x(&[0.0, 2.0], &[1.0, 4.0], false), &[1.0, 2.0, 3.0, 4.0]);
+    }
+}

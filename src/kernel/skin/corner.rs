@@ -213,3 +213,78 @@ impl<'a> CentredCurve<'a> {
         self.curve.point_at(self.curve.domain().at(fraction)) - self.centre
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A trapezium, no corner of which is like another one, from one of them on.
+    fn trapezium(first: usize, is_reversed: bool, moved: DVec3) -> NurbsCurve {
+        let corners = [[0.0, 0.0], [5.0, 0.0], [3.0, 2.0], [1.0, 2.5]];
+        let corner = |k: usize| {
+            let k = if is_reversed { first + 4 - k } else { first + k };
+            let [x, y] = corners[k % 4];
+            DVec3::new(x, y, 0.0) + moved
+        };
+        NurbsCurve::polyline(&(0..5).map(corner).collect::<Vec<_>>()).expect("a polygon")
+    }
+
+    #[test]
+    fn a_section_begins_at_the_corner_that_the_other_does_wherever_it_stands() {
+        let beside = trapezium(0, false, DVec3::new(-3.0, 40.0, 0.0));
+        for moved in [DVec3::Z, DVec3::new(120.0, -70.0, 3.0)] {
+            for (first, is_reversed) in (0..4).flat_map(|k| [(k, false), (k, true)]) {
+                let section = trapezium(first, is_reversed, moved);
+                let found = cornered(&section, &beside, 1e-9).expect("a curve").expect("corners");
+                assert_eq!(found.is_reversed, is_reversed);
+                assert_eq!(found.seam.is_some(), first != 0);
+                assert_eq!((found.has_moved_corners, found.unpaired), (false, None));
+                for k in 0..=4 {
+                    let corner = found.curve.point_at(found.curve.domain().at(0.25 * k as f64));
+                    let expected = beside.point_at(k as f64) - beside.start() + moved;
+                    assert!(corner.distance(expected) < 1e-9, "{first} {is_reversed} {corner}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn corners_come_to_the_parameters_of_the_other_ones() {
+        let uneven = NurbsCurve::polynomial(
+            crate::KnotVector::new(1, vec![0.0, 0.0, 0.1, 0.45, 0.8, 1.0, 1.0]).expect("knots"),
+            &trapezium(0, false, DVec3::Z).points(),
+        )
+        .expect("a polygon");
+        let beside = trapezium(0, false, DVec3::ZERO);
+        let found = cornered(&uneven, &beside, 1e-9).expect("a curve").expect("corners");
+        assert!(found.has_moved_corners);
+        for k in 0..=16 {
+            let (t, at) = (0.0625 * k as f64, 0.25 * k as f64);
+            let point = found.curve.point_at(found.curve.domain().at(t));
+            assert!(point.distance(beside.point_at(at) + DVec3::Z) < 1e-9, "{t}: {point}");
+        }
+    }
+
+    #[test]
+    fn fractions_between_corners_are_carried_evenly() {
+        let (from, to) = ([0.0, 0.2, 0.6], [0.0, 0.5, 0.75]);
+        let expected =
+            [(0.0, 0.0), (0.1, 0.25), (0.2, 0.5), (0.4, 0.625), (0.6, 0.75), (0.8, 0.875)];
+        for (fraction, at) in expected {
+            assert!((carried(fraction, &from, &to) - at).abs() < 1e-15, "{fraction}");
+        }
+    }
+
+    #[test]
+    fn the_seam_goes_to_the_sharpest_corner() {
+        // From the middle of the longest side.
+        let points = [[2.5, 0.0], [5.0, 0.0], [3.0, 2.0], [1.0, 2.5], [0.0, 0.0], [2.5, 0.0]];
+        let points = points.map(|[x, y]| DVec3::new(x, y, 0.0));
+        let ring = NurbsCurve::polyline(&points).expect("a polygon");
+        assert_eq!(corners_of_ring(&ring).len(), 4);
+        let (found, t) = with_seam_at_corner(&ring, 1e-9).expect("a ring").expect("corners");
+        assert!((t - 1.0).abs() < 1e-12, "{t}");
+        assert!(found.start().distance(DVec3::X * 5.0) < 1e-12);
+        assert!(with_seam_at_corner(&found, 1e-9).expect("a ring").is_none());
+    }
+}

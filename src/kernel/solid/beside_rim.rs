@@ -271,3 +271,31 @@ const fn is_of_slivers(error: &GeomError, is_beside_narrow: bool) -> bool {
             )
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Region;
+
+    #[test]
+    fn rims_of_a_block_are_told_by_height_the_nearest_first() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
+        let corners = corners.map(|[x, y]| DVec3::new(x, y, 0.0));
+        let border = NurbsCurve::polyline(&corners).expect("a rectangle");
+        let region = Region::new(&border, &[], Tolerance::DEFAULT).expect("a region");
+        let block = Solid::extruded(&region, DVec3::Z, Tolerance::DEFAULT).expect("a block");
+        let heights = |at: f64, reach: f64| -> Vec<f64> {
+            let plane = Frame::XY.at(DVec3::new(7.0, -3.0, at));
+            let places = block.rim_places(plane, reach, Tolerance::DEFAULT).expect("edges");
+            places.iter().map(|place| place.height).collect()
+        };
+        let check = |found: Vec<f64>, expected: &[f64]| {
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12), "{found:?}");
+        };
+        check(heights(0.3, 1.0), &[-0.3, 0.7]);
+        check(heights(0.8, 1.0), &[0.2, -0.8]);
+        check(heights(0.3, 0.5), &[-0.3]);
+        check(heights(0.5, 0.4), &[]);
+    }
+}

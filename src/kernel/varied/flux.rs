@@ -335,3 +335,6 @@ impl VariedSurface {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

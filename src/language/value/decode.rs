@@ -156,6 +156,8 @@ mod tests {
             Err("line 2, column 2: the byte 0xe9 (`é` in Latin-1) is not UTF-8"),
         );
         check(b"a\rb\n\x80", Err("line 3, column 1: the byte 0x80 is not UTF-8; save the file"));
+        check(b"\xa0", Err("the byte 0xa0 (`\u{a0}` in Latin-1) is not UTF-8"));
+        check(b"\x9f", Err("the byte 0x9f is not UTF-8"));
         check(&[0xff, 0xfe, 0x61, 0, 0x00, 0xd8, 0x62, 0], Err("line 1, column 2: 0xd800 is half"));
         check(&[0xfe, 0xff, 0, 0x61, 0], Err("line 1, column 2: the file ends within"));
         check(b"a\0b\0", Err("line 1, column 2: a byte of zero"));

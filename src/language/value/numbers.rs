@@ -287,3 +287,6 @@ impl<'s> NumberSlopes<'s> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -167,3 +167,40 @@ impl AxisReach {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec3;
+
+    use super::*;
+    use crate::{
+        kernel::{Grid, NurbsSurface, Surface},
+        value::Value,
+    };
+
+    /// A net of seven rows and five columns, in which a control point reaches two rows and two columns from its own on.
+    #[test]
+    fn two_control_points_tell_the_rows_and_columns_that_others_reach() {
+        let net = Grid::from_fn(7, 5, |i, j| DVec3::new(i as f64, j as f64, 0.0));
+        let surface = NurbsSurface::bezier(&net).expect("a surface");
+        let answer = NumberPlaces::of([&Value::Surface(Surface::Nurbs(Arc::new(surface)))]);
+        let reached = |[row, column]: [usize; 2]| -> Vec<usize> {
+            let rows = row..(row + 2).min(7);
+            rows.flat_map(|i| (column..(column + 2).min(5)).map(move |j| 5 * i + j)).collect()
+        };
+        let moved = |variable: usize, at: [usize; 2]| Moved { variable, net: 0, at };
+        let pair = [moved(0, [1, 1]), moved(1, [4, 2])];
+        let grown = pair.map(|moved| -> SparseNumbers {
+            reached(moved.at).into_iter().map(|point| (4 * point, 1.0)).collect()
+        });
+        let narrow = PointReach::new(&pair, grown.each_ref(), (&answer, 0.0));
+        for at in (0..7).flat_map(|i| (0..5).map(move |j| [i, j])) {
+            assert_eq!(narrow.points(at, &answer), Some(reached(at)), "{at:?}");
+        }
+        let wide = PointReach::new(&pair, grown.each_ref(), (&answer, 1.0));
+        let found = wide.points([3, 2], &answer).expect("a part");
+        assert_eq!(found, (2..6).flat_map(|i| (1..5).map(move |j| 5 * i + j)).collect::<Vec<_>>());
+    }
+}

@@ -76,3 +76,31 @@ fn halves(net: &Grid<DVec4>, along: Direction) -> [Grid<DVec4>; 2] {
         if along == Direction::U { half.transposed() } else { half }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_weight_is_told_in_units_of_the_smallest() {
+        let of = |weights: &[f64]| {
+            let points: Vec<DVec4> =
+                weights.iter().map(|&w| DVec4::new(3.0, -2.0, 9.0, w)).collect();
+            ratio(points.iter())
+        };
+        assert!((of(&[2.0, 9.0, 4.0]) - 4.5).abs() < 1e-15);
+        assert!((of(&[5.0, 5.0]) - 1.0).abs() < 1e-15);
+        assert!(of(&[1.0, 0.0]).is_infinite() && of(&[1.0, -1.0]).is_infinite());
+    }
+
+    #[test]
+    fn a_balanced_net_has_opposite_edges_of_one_weight() {
+        let weight = |i: usize, j: usize| libm::exp(0.7 * i as f64 - 0.2 * j as f64);
+        let net = Grid::from_fn(3, 4, |i, j| DVec4::new(1.0, 2.0, 3.0, 1.0) * weight(i, j));
+        let balanced = balanced(&net);
+        for (found, given) in balanced.iter().zip(net.iter()) {
+            assert!((found.w - balanced.get(0, 0).w).abs() < 1e-12, "{found}");
+            assert!((*found / found.w - *given / given.w).length() < 1e-12);
+        }
+    }
+}

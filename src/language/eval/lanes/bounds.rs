@@ -88,3 +88,65 @@ fn truth(node: &TruthNode, lanes: &mut [Option<Enclosure>]) -> Option<bool> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eval::{
+        ir::BinaryOp,
+        operator::table::{BinaryMeaning, binary_meaning},
+    };
+
+    /// Whether x is less than a number.
+    fn less(than: f64) -> TruthNode {
+        let BinaryMeaning::Comparison(row) = binary_meaning(BinaryOp::Less) else {
+            unreachable!("`<` compares")
+        };
+        TruthNode::Compare(row, Box::new([LaneNode::Variable(0), LaneNode::Constant(than)]))
+    }
+
+    /// What is known of a truth about x over 1..2.
+    fn over_one_to_two(node: &TruthNode) -> Option<bool> {
+        truth(node, &mut [Some(Enclosure::variable([1.0, 2.0]))])
+    }
+
+    #[test]
+    fn a_comparison_is_known_where_the_intervals_are_apart() {
+        for (than, expected) in
+            [(2.5, Some(true)), (0.5, Some(false)), (1.5, None), (2.0, None), (1.0, None)]
+        {
+            assert_eq!(over_one_to_two(&less(than)), expected, "x < {than}");
+            let not = TruthNode::Not(|truth| !truth, Box::new(less(than)));
+            assert_eq!(over_one_to_two(&not), expected.map(|truth| !truth), "not x < {than}");
+        }
+    }
+
+    #[test]
+    fn a_side_that_decides_hides_one_that_is_not_known() {
+        let both = |decided_by: bool, first: f64, second: f64| {
+            over_one_to_two(&TruthNode::Logic {
+                decided_by,
+                sides: Box::new([less(first), less(second)]),
+            })
+        };
+        assert_eq!(both(false, 0.5, 1.5), Some(false));
+        assert_eq!(both(true, 2.5, 1.5), Some(true));
+        assert_eq!(both(false, 2.5, 1.5), None);
+        assert_eq!(both(true, 0.5, 1.5), None);
+        assert_eq!(both(false, 2.5, 0.5), Some(false));
+        assert_eq!(both(true, 0.5, 2.5), Some(true));
+    }
+
+    #[test]
+    fn a_choice_has_the_bounds_of_the_side_that_is_taken_all_over_the_interval() {
+        let chosen = |than: f64| {
+            let sides = Box::new([LaneNode::Variable(0), LaneNode::Constant(7.0)]);
+            let node = LaneNode::Choose(Box::new(less(than)), sides);
+            let mut lanes = [Some(Enclosure::variable([1.0, 2.0]))];
+            number(&node, &mut lanes).map(|found| (found.value(), found.slope()))
+        };
+        assert_eq!(chosen(2.5), Some(([1.0, 2.0], [1.0, 1.0])));
+        assert_eq!(chosen(0.5), Some(([7.0, 7.0], [0.0, 0.0])));
+        assert_eq!(chosen(1.5), None);
+    }
+}

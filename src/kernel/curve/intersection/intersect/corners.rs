@@ -91,3 +91,45 @@ impl KnownContacts {
 
 /// The interval of a contact on one of the curves.
 type Side = fn(&ContactInterval) -> Interval;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn interval([start, end]: [f64; 2]) -> Interval {
+        Interval::new(start, end).expect("an interval")
+    }
+
+    /// Whether contacts of which two are neighbours, and a third is far from both, hold two intervals.
+    #[track_caller]
+    fn check(first: [f64; 2], second: [f64; 2], expected: bool) {
+        let contact =
+            |first, second| ContactInterval { first: interval(first), second: interval(second) };
+        let known = KnownContacts::of(&[
+            contact([10.0, 12.0], [20.0, 22.0]),
+            contact([2.0, 4.0], [7.0, 9.0]),
+            contact([0.0, 2.0], [5.0, 7.0]),
+        ]);
+        assert_eq!(known.hold(interval(first), interval(second)), expected);
+    }
+
+    #[test]
+    fn pieces_in_neighbouring_contacts_are_held() {
+        check([1.5, 2.0], [7.0, 7.5], true);
+        check([2.0, 2.5], [6.5, 7.0], true);
+        check([0.5, 1.0], [5.5, 6.0], true);
+        check([0.0, 2.0], [7.0, 9.0], true);
+        check([10.0, 12.0], [20.0, 22.0], true);
+    }
+
+    #[test]
+    fn pieces_beyond_contacts_or_in_ones_that_are_apart_are_not() {
+        check([1.5, 2.5], [6.0, 6.5], false);
+        check([1.0, 1.5], [6.5, 7.5], false);
+        check([0.5, 1.0], [20.5, 21.0], false);
+        check([10.5, 11.0], [7.5, 8.0], false);
+        check([4.5, 5.0], [8.0, 8.5], false);
+        check([3.0, 3.5], [3.0, 4.0], false);
+        check([-1.0, -0.5], [5.5, 6.0], false);
+    }
+}

@@ -159,3 +159,39 @@ fn along_line(frame: Frame, direction: DVec3) -> Option<Frame> {
         false => Some(frame),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::FRAC_PI_4;
+
+    use super::*;
+
+    /// What a straight meridian makes between two places in the half plane, with the flags that say where it points.
+    fn straight(from: [f64; 2], to: [f64; 2]) -> Option<(AnalyticForm, f64, bool, bool)> {
+        let place = |[x, z]: [f64; 2]| DVec3::new(x, 0.0, z);
+        let found = Meridian::straight(place(from), place(to), 1e-12)?;
+        assert!(!found.is_full);
+        Some((found.form, found.height, found.is_downward, found.is_outward))
+    }
+
+    #[test]
+    fn straight_meridians_make_cylinders_and_cones() {
+        let cylinder = AnalyticForm::Cylinder { radius: 2.0 };
+        assert_eq!(straight([2.0, 1.0], [2.0, 5.0]), Some((cylinder, 1.0, false, true)));
+        assert_eq!(straight([2.0, 5.0], [2.0, 1.0]), Some((cylinder, 5.0, false, false)));
+        let cone = |radius: f64| AnalyticForm::Cone { radius, half_angle: FRAC_PI_4 };
+        assert_eq!(straight([0.0, 1.0], [3.0, 4.0]), Some((cone(0.0), 1.0, false, true)));
+        assert_eq!(straight([4.0, 4.0], [1.0, 1.0]), Some((cone(1.0), 1.0, false, false)));
+        assert_eq!(straight([1.0, 4.0], [4.0, 1.0]), Some((cone(1.0), 4.0, true, false)));
+    }
+
+    #[test]
+    fn what_is_flat_or_hardly_a_cone_is_neither() {
+        let least = Tolerance::DEFAULT.angle;
+        assert_eq!(straight([1.0, 0.0], [3.0, 0.0]), None);
+        assert_eq!(straight([1.0, 0.0], [3.0, least]), None);
+        assert_eq!(straight([1.0, 0.0], [1.0 + 0.5 * least, 1.0]), None);
+        assert!(straight([1.0, 0.0], [1.0 + 2.0 * least, 1.0]).is_some());
+        assert!(straight([1.0, 0.0], [3.0, 4.0 * least]).is_some());
+    }
+}

@@ -57,3 +57,47 @@ impl FieldSlopes {
         .map(|[_, within]| within)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half of uu (x − 0.3)² + vv (y − 0.6)², and uv (x − 0.3)(y − 0.6).
+    fn field([uu, uv, vv]: [f64; 3]) -> FieldSlopes {
+        let (a, b) = (0.3, 0.6);
+        let square = |c: f64| [c * c, c * (c - 1.0), (1.0 - c) * (1.0 - c)];
+        let line = |c: f64| [-c, 0.5 - c, 1.0 - c];
+        FieldSlopes::of(&Grid::from_fn(3, 3, |i, j| {
+            0.5 * uu * square(a)[i] + uv * line(a)[i] * line(b)[j] + 0.5 * vv * square(b)[j]
+        }))
+    }
+
+    #[test]
+    fn saddles_bend_both_ways_whatever_the_extents_of_the_patch() {
+        for extents in [[1.0, 1.0], [2.0, 2.0], [0.5, 3.0]] {
+            let bends = |second: [f64; 3]| field(second).bends_both_ways([0.2, 0.9], extents);
+            assert!(bends([1.0, 0.0, -1.0]) && bends([1.0, 1.1, 1.0]) && bends([0.0, -2.0, 0.0]));
+            assert!(
+                !bends([1.0, 0.0, 1.0]) && !bends([1.0, 0.9, 1.0]) && !bends([-1.0, 0.9, -1.0])
+            );
+            assert!(!bends([1.0, 0.0, 0.0]) && !bends([4.0, -2.0, 1.0]));
+        }
+    }
+
+    #[test]
+    fn the_place_without_slopes_is_found_beside_the_cell_that_is_near_it() {
+        for second in [[1.0, 0.3, -2.0], [1.0, 0.5, 2.0], [0.0, 1.0, 0.0]] {
+            let slopes = field(second);
+            let found = slopes.resting_place([0.4, 0.5], [0.1, 0.05]).expect("a place");
+            assert!((found[0] - 0.3).abs() < 1e-12 && (found[1] - 0.6).abs() < 1e-12, "{found:?}");
+            assert!(slopes.resting_place([0.9, 0.6], [0.1, 0.1]).is_none());
+            assert!(slopes.resting_place([0.3, 0.1], [0.1, 0.1]).is_none());
+        }
+    }
+
+    #[test]
+    fn a_valley_has_no_single_place() {
+        assert!(field([1.0, 0.0, 0.0]).resting_place([0.3, 0.6], [0.1, 0.1]).is_none());
+        assert!(field([4.0, -2.0, 1.0]).resting_place([0.3, 0.6], [0.1, 0.1]).is_none());
+    }
+}

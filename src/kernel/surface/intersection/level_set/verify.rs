@@ -306,7 +306,7 @@ fn borders_of(surface: &NurbsSurface, tolerance: f64) -> Vec<NurbsCurve> {
 
 #[cfg(test)]
 mod tests {
-    use super::{CurveOrigin, PictureError, verify};
+    use super::{CRUMB, CurveOrigin, PictureError, verify, without_crumbs};
     use crate::{GeomError, Interval, NurbsCurve, NurbsSurface, glam::DVec3};
 
     const TOLERANCE: f64 = 1e-6;
@@ -371,5 +371,21 @@ mod tests {
             unreachable!("{found:?}")
         };
         assert!(point.distance(DVec3::X * 0.5) <= 1e-12, "{point}");
+    }
+
+    #[test]
+    fn crumbs_on_longer_curves_are_left_out() {
+        let line = |from: DVec3, to: DVec3| NurbsCurve::polyline(&[from, to]).expect("a line");
+        let crumb = |at: DVec3| line(at, at + 0.5 * CRUMB * TOLERANCE * DVec3::X);
+        let long = line(DVec3::ZERO, 10.0 * DVec3::X);
+        let (on, beside) = (crumb(5.0 * DVec3::X), crumb(DVec3::new(5.0, 1.0, 0.0)));
+        let starts = |curves: Vec<NurbsCurve>| -> Vec<DVec3> {
+            without_crumbs(curves, TOLERANCE).iter().map(NurbsCurve::start).collect()
+        };
+        let kept = starts(vec![on.clone(), long.clone(), beside.clone()]);
+        assert_eq!(kept, [long.start(), beside.start()]);
+        // Two crumbs on one another may be one small curve.
+        assert_eq!(starts(vec![on.clone(), on.clone()]), [on.start(), on.start()]);
+        assert_eq!(starts(vec![long.clone(), long.clone()]), [long.start(), long.start()]);
     }
 }

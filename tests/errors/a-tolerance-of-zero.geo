@@ -1,0 +1,2 @@
+tolerance 0
+print 1 == 1.00001

@@ -1,0 +1,2 @@
+tolerance 3deg
+print 1 == 1.00001
