@@ -303,3 +303,29 @@ where
         Direction::V => square::cut_v(field, fraction),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::SurfacePart;
+    use crate::{Grid, NurbsSurface};
+
+    #[test]
+    fn a_half_that_reaches_over_the_other_is_the_whole() {
+        let point =
+            |i, j| DVec3::new(i as f64, j as f64, (i * j * j) as f64 - 0.5 * (i * i) as f64);
+        let points = Grid::from_fn(3, 4, point);
+        let surface = NurbsSurface::bezier(&points).expect("a patch");
+        let whole = SurfacePart::all(&surface).remove(0);
+        let [first, second] = whole.halves();
+        for again in [first.reaching(second.high), second.reaching(first.low)] {
+            assert_eq!((again.low, again.high), (whole.low, whole.high));
+            let misses = again.places.iter().zip(whole.places.iter()).map(|(a, b)| a.distance(*b));
+            assert!(misses.fold(0.0, f64::max) <= 1e-13);
+            let misses =
+                again.normals.iter().zip(whole.normals.iter()).map(|(a, b)| a.distance(*b));
+            assert!(misses.fold(0.0, f64::max) <= 1e-11);
+        }
+    }
+}
