@@ -306,7 +306,7 @@ where
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
+    use glam::{DVec2, DVec3};
 
     use super::SurfacePart;
     use crate::{Grid, NurbsSurface};
@@ -320,7 +320,8 @@ mod tests {
         let whole = SurfacePart::all(&surface).remove(0);
         let [first, second] = whole.halves();
         for again in [first.reaching(second.high), second.reaching(first.low)] {
-            assert_eq!((again.low, again.high), (whole.low, whole.high));
+            let ends = [&again, &whole].map(|part| [part.low, part.high].map(DVec2::from_array));
+            assert_eq!(ends[0], ends[1]);
             let misses = again.places.iter().zip(whole.places.iter()).map(|(a, b)| a.distance(*b));
             assert!(misses.fold(0.0, f64::max) <= 1e-13);
             let misses =

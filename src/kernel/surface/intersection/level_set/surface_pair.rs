@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::pair::SurfacePart;
 use crate::{
@@ -116,7 +116,7 @@ impl<'s> SurfacePair<'s> {
         );
         let at = found.unless_stuck()?;
         let look = match seen {
-            Some((place, look)) if place == at => look,
+            Some((place, look)) if DVec4::from_array(place) == DVec4::from_array(at) => look,
             _ => self.look(at),
         };
         (norm(look.apart) <= MEETING_SHARE * self.tolerance).then(|| look.place(at))
