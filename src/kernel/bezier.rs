@@ -120,16 +120,20 @@ pub(crate) fn patch(
 fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
     let p = knots.degree();
     let (start, end) = (knots.as_slice()[span], knots.as_slice()[span + 1]);
-    let mut corners = local.to_vec();
+    // What arguments at the end make of the points, as many as the blossom in turn has.
+    let mut at_end = local.to_vec();
     // Between knots that stand as often as the degree the piece has these very points.
     if p == 0 || start <= knots.as_slice()[span + 1 - p] && knots.as_slice()[span + p] <= end {
-        return corners;
+        return at_end;
     }
+    let mut corners = local.to_vec();
     let blossom = |n_at_end: usize| {
-        corners.copy_from_slice(local);
-        for q in 1..=p {
-            let t = if q <= n_at_end { end } else { start };
-            cut(knots.as_slice(), span, q, t, &mut corners);
+        if 0 < n_at_end {
+            cut(knots.as_slice(), span, n_at_end, end, &mut at_end);
+        }
+        corners.copy_from_slice(&at_end);
+        for q in n_at_end + 1..=p {
+            cut(knots.as_slice(), span, q, start, &mut corners);
         }
         corners[p]
     };

@@ -210,7 +210,8 @@ impl BezierPatch {
     /// if no other distance in the part would be less by more than `rounding`, were the square of
     /// the distance convex.
     pub(super) fn minimum(&mut self, cell: PatchPart, start: [f64; 2], rounding: f64) -> Minimum {
-        let Ok(way) = descend(&cell, start, |place| Ok::<FootVector, Infallible>(self.way(place)));
+        let Ok(way) =
+            descend(&cell, start, 0.0, |place| Ok::<FootVector, Infallible>(self.way(place)));
         let left: f64 = [0, 1]
             .into_iter()
             .filter(|&i| !cell.bars(&way, i))
@@ -250,13 +251,17 @@ impl BezierPatch {
     }
 }
 
-/// Goes down from `start` within a part, by Newton's method, as far as that leads.
+/// Goes down from `start` within a part, by Newton's method, as far as that leads or to a place as near as `near`.
 pub(crate) fn descend<E>(
     cell: &PatchPart,
     start: [f64; 2],
+    near: f64,
     mut way_at: impl FnMut([f64; 2]) -> Result<FootVector, E>,
 ) -> Result<FootVector, E> {
-    improved(way_at(start)?, NEAREST_STEPS, |way| lower(cell, way, &mut way_at))
+    improved(way_at(start)?, NEAREST_STEPS, |way| match way.squared <= near * near {
+        true => Ok(None),
+        false => lower(cell, way, &mut way_at),
+    })
 }
 
 /// A step that leads down, or none.

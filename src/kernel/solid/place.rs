@@ -54,17 +54,23 @@ impl Solid {
         further: f64,
         tolerance: Tolerance,
     ) -> Result<Vec<SolidClosestPoint>, GeomError> {
+        // With those first that may be nearest most of the others are known to be further away.
+        let away = |face: usize| (self.faces[face].surface().bounds().distance(point), face);
+        let mut by_box: Vec<(f64, usize)> = among.into_iter().map(away).collect();
+        sort_by(&mut by_box, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let (mut feet, mut least): (Vec<SolidClosestPoint>, f64) = (Vec::new(), f64::INFINITY);
-        for face in among {
-            let own = &self.faces[face];
-            if own.surface().bounds().distance(point) <= least + further {
-                let foot = own.closest(point, tolerance)?;
-                least = least.min(foot.distance);
-                feet.push(SolidClosestPoint { face, foot });
+        for (away, face) in by_box {
+            if least + further < away {
+                break;
             }
+            let foot = self.faces[face].closest(point, tolerance)?;
+            least = least.min(foot.distance);
+            feet.push(SolidClosestPoint { face, foot });
         }
         feet.retain(|near| near.foot.distance <= least + further);
-        sort_by(&mut feet, |a, b| a.foot.distance.total_cmp(&b.foot.distance));
+        sort_by(&mut feet, |a, b| {
+            a.foot.distance.total_cmp(&b.foot.distance).then(a.face.cmp(&b.face))
+        });
         Ok(feet)
     }
 

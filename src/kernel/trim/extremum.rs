@@ -169,7 +169,7 @@ impl Face {
             FaceClosestPoint { parameters, point: point_there, distance }
         };
         let foot = surface.closest(point);
-        if self.side_of_parameters(foot.parameters, 0.0) == RegionSide::Inside {
+        if self.is_whole() || self.side_of_parameters(foot.parameters, 0.0) == RegionSide::Inside {
             return Ok(of(foot.parameters));
         }
         let on_border = match self.closest_on_border(point, distance)? {

@@ -106,8 +106,18 @@ impl NurbsSurface {
 
     /// The point that a search from parameters goes down to: near that place, perhaps not the nearest of all.
     pub(crate) fn foot_from(&self, start: [f64; 2], p: DVec3) -> SurfaceClosestPoint {
+        self.place_near(start, p, 0.0)
+    }
+
+    /// A point as near as a distance to which a search from parameters goes down; where none is, as [`Self::foot_from`].
+    pub(in crate::surface) fn place_near(
+        &self,
+        start: [f64; 2],
+        p: DVec3,
+        near: f64,
+    ) -> SurfaceClosestPoint {
         let cell = PatchPart::between(self.domain_u(), self.domain_v());
-        let Ok(found) = descend(&cell, start, |[u, v]| {
+        let Ok(found) = descend(&cell, start, near, |[u, v]| {
             let mut derivatives = self.second_order_at(u, v);
             derivatives[0] -= p;
             Ok::<FootVector, Infallible>(FootVector::new([u, v], derivatives))
@@ -205,7 +215,7 @@ impl ParametricPlaces<'_> {
             if !is_least_around(&distances, n, i) {
                 continue;
             }
-            let found = descend(&cell, [us[i / n], vs[i % n]], |[u, v]| {
+            let found = descend(&cell, [us[i / n], vs[i % n]], 0.0, |[u, v]| {
                 let all = surface.derivatives_at(u, v, 2)?;
                 let orders = [(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)];
                 let mut derivatives = orders.map(|(k, l)| all.get(k, l));

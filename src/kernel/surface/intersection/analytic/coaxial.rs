@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::{AnalyticForm, AnalyticSurface};
+use super::{super::level_set::ClosestPointTracker, AnalyticForm, AnalyticSurface};
 use crate::{
     CircleForm, Direction, Frame, Interval, LevelSet, NurbsCurve, NurbsSurface, Tolerance,
     frame::norm,
@@ -230,10 +230,10 @@ impl NurbsSurface {
         curve: &NurbsCurve,
         [near, distance]: [f64; 2],
     ) -> Option<bool> {
-        let domain = curve.domain();
+        let (domain, mut tracker) = (curve.domain(), ClosestPointTracker::new(self));
         let mut places = (0..N_LOOKS).map(|i| {
             let point = curve.point_at(domain.at(f64::from(i) / f64::from(N_LOOKS)));
-            self.closest(point).distance
+            tracker.distance(point, near)
         });
         let first = places.next()?;
         match (first <= near, distance < first) {

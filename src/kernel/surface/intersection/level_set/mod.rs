@@ -57,6 +57,7 @@ use glam::DVec3;
 pub use error::PictureError;
 pub(in crate::surface) use pair::SurfacePart;
 pub use results::{CurveSurfaceIntersection, LevelSet};
+pub(in crate::surface) use verify::ClosestPointTracker;
 
 use branch::Branch;
 use cell::{PositivityCondition, SearchResolution};

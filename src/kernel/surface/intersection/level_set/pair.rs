@@ -132,8 +132,8 @@ impl SurfacePart {
         let along_u = longest(&self.places) >= longest(&self.places.transposed());
         let direction = if along_u { Direction::U } else { Direction::V };
         let middle = self.middle()[direction];
-        let nets = cut(&self.net, direction);
-        let [before, behind] = cut(&self.normals, direction);
+        let nets = cut(&self.net, direction, 0.5);
+        let [before, behind] = cut(&self.normals, direction, 0.5);
         let mut ends = [(self.low, self.high); 2];
         (ends[0].1[direction], ends[1].0[direction]) = (middle, middle);
         let [first, second] = nets;
@@ -143,7 +143,26 @@ impl SurfacePart {
         ]
     }
 
-    /// The same, kept for when they are asked for again, unless more than [`KEPT_COEFFICIENTS`] are, whose number goes up.
+    /// The part with what its polynomials are up to parameters beyond it.
+    pub(super) fn reaching(&self, at: [f64; 2]) -> Self {
+        let (mut low, mut high) = (self.low, self.high);
+        let (mut net, mut normals) = (self.net.clone(), self.normals.clone());
+        for along in Direction::BOTH {
+            let fraction = (at[along] - low[along]) / (high[along] - low[along]);
+            // Of both sides of a cut beyond an end one is longer than the whole.
+            let (end, longer) = match fraction {
+                ..0.0 => (&mut low, 1),
+                _ if 1.0 < fraction => (&mut high, 0),
+                _ => continue,
+            };
+            end[along] = at[along];
+            net = cut(&net, along, fraction)[longer].clone();
+            normals = cut(&normals, along, fraction)[longer].clone();
+        }
+        Self::new(low, high, net, normals)
+    }
+
+    /// The same as halves, kept for when they are asked for again, unless more than [`KEPT_COEFFICIENTS`] are, whose number goes up.
     pub(super) fn shared_halves(&self, n_kept: &mut usize) -> [Arc<Self>; 2] {
         if let Some(kept) = self.kept_halves.get() {
             return kept.clone();
@@ -275,12 +294,39 @@ fn longest(places: &Grid<DVec3>) -> f64 {
     (n - 1) as f64 * steps.fold(0.0, f64::max)
 }
 
-fn cut<T>(field: &Grid<T>, along: Direction) -> [Grid<T>; 2]
+fn cut<T>(field: &Grid<T>, along: Direction, fraction: f64) -> [Grid<T>; 2]
 where
     T: Copy + std::ops::Add<Output = T> + std::ops::Mul<f64, Output = T>,
 {
     match along {
-        Direction::U => square::cut_v(&field.transposed(), 0.5).map(|part| part.transposed()),
-        Direction::V => square::cut_v(field, 0.5),
+        Direction::U => square::cut_v(&field.transposed(), fraction).map(|part| part.transposed()),
+        Direction::V => square::cut_v(field, fraction),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec2, DVec3};
+
+    use super::SurfacePart;
+    use crate::{Grid, NurbsSurface};
+
+    #[test]
+    fn a_half_that_reaches_over_the_other_is_the_whole() {
+        let point =
+            |i, j| DVec3::new(i as f64, j as f64, (i * j * j) as f64 - 0.5 * (i * i) as f64);
+        let points = Grid::from_fn(3, 4, point);
+        let surface = NurbsSurface::bezier(&points).expect("a patch");
+        let whole = SurfacePart::all(&surface).remove(0);
+        let [first, second] = whole.halves();
+        for again in [first.reaching(second.high), second.reaching(first.low)] {
+            let ends = [&again, &whole].map(|part| [part.low, part.high].map(DVec2::from_array));
+            assert_eq!(ends[0], ends[1]);
+            let misses = again.places.iter().zip(whole.places.iter()).map(|(a, b)| a.distance(*b));
+            assert!(misses.fold(0.0, f64::max) <= 1e-13);
+            let misses =
+                again.normals.iter().zip(whole.normals.iter()).map(|(a, b)| a.distance(*b));
+            assert!(misses.fold(0.0, f64::max) <= 1e-11);
+        }
     }
 }

@@ -330,7 +330,7 @@ fn branches(crossing: &SurfacePair<'_>, ends: &CurveEnds, runs: &mut Vec<BranchS
 ///
 /// Of a pair there is at most one arc. A curve that runs along a side of its parts leaves them and comes back all along it;
 /// one that is known and runs beside both is that arc, since their normals turn by so little up to there that both would
-/// be one.
+/// be one. So is one further beside both where the parts up to there cross in at most one arc, too.
 fn arcs(
     crossing: &SurfacePair<'_>,
     pairs: Vec<[Arc<SurfacePart>; 2]>,
@@ -354,11 +354,16 @@ fn arcs(
         let place = crossing.common_near(&pair);
         let Some(place) = place.and_then(|place| crossing.inside(place, &pair)) else {
             let is_known = place.is_some_and(|place| {
+                let boxes = match crossing.is_beside(&place, &pair) {
+                    true => Some(boxes),
+                    false => crossing.reach(&place, &pair),
+                };
                 let mut known = runs.iter();
-                crossing.is_beside(&place, &pair)
-                    && known.any(|run| {
+                boxes.is_some_and(|boxes| {
+                    known.any(|run| {
                         run.passes(place.point, crossing.tolerance) && !run.ends_within(boxes, near)
                     })
+                })
             });
             if crossing.tolerance < size && !is_known {
                 todo.extend(halved(pair, near, &mut n_kept));

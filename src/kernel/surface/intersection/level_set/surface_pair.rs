@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 use super::pair::SurfacePart;
 use crate::{
-    Interval, NurbsSurface,
+    Bounds, Interval, NurbsSurface,
     ceiling::CROSSING_STEPS,
     frame::{norm, unit},
     numeric::{
@@ -87,23 +87,19 @@ impl<'s> SurfacePair<'s> {
     }
 
     pub(super) fn place(&self, at: [f64; 4]) -> PairParameters {
-        let PairState { slopes: [pu, pv, qu, qv], point, .. } = self.look(at);
-        let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
-        let across = normals[0].zip(normals[1]).map_or(DVec3::ZERO, |(a, b)| a.cross(b));
-        let is_clear = LAST_BIT.sqrt() < across.length();
-        let tangent = unit(across).filter(|_| is_clear).unwrap_or(DVec3::ZERO);
-        PairParameters { at, point, tangent }
+        self.look(at).place(at)
     }
 
     /// The common place nearest to parameters, these counted by widths.
     pub(super) fn common(&self, start: [f64; 4], widths: [f64; 4]) -> Option<PairParameters> {
+        let mut seen = None;
         let found = within_limits(
             [FREE; 4],
             start,
             CROSSING_STEPS,
             |_, _| false,
             |at| {
-                let look = self.look(at);
+                let (_, look) = seen.insert((at, self.look(at)));
                 if norm(look.apart) <= self.rounding {
                     return NewtonStep::Stay;
                 }
@@ -119,7 +115,11 @@ impl<'s> SurfacePair<'s> {
             },
         );
         let at = found.unless_stuck()?;
-        (norm(self.look(at).apart) <= MEETING_SHARE * self.tolerance).then(|| self.place(at))
+        let look = match seen {
+            Some((place, look)) if DVec4::from_array(place) == DVec4::from_array(at) => look,
+            _ => self.look(at),
+        };
+        (norm(look.apart) <= MEETING_SHARE * self.tolerance).then(|| look.place(at))
     }
 
     /// The place that the surfaces have in common to which Newton's method leads from the middle of two parts.
@@ -157,6 +157,28 @@ impl<'s> SurfacePair<'s> {
                 surface.point_at(u, v).distance(place.point) <= self.tolerance
                     && unit(normal).is_some_and(|normal| part.turns_little_to(normal))
             })
+    }
+
+    /// The boxes of two parts with all that their polynomials are up to a common place, where these still cross in at most
+    /// one arc there.
+    pub(super) fn reach(
+        &self,
+        place: &PairParameters,
+        [a, b]: &[Arc<SurfacePart>; 2],
+    ) -> Option<[Bounds; 2]> {
+        let ([u, v], [s, t]) = (a.middle(), b.middle());
+        let is_here = (0..4).all(|i| {
+            let surface = self.surfaces[i / 2];
+            let knots = if i % 2 == 0 { surface.knots_u() } else { surface.knots_v() };
+            let span = knots.span_interval(knots.span_at([u, v, s, t][i]));
+            span.start() <= place.at[i] && place.at[i] <= span.end()
+        });
+        let [u, v, s, t] = place.at;
+        if !(is_here && a.is_about([u, v]) && b.is_about([s, t])) {
+            return None;
+        }
+        let [a, b] = [a.reaching([u, v]), b.reaching([s, t])];
+        a.crosses_clearly(&b).then_some([a.bounds, b.bounds])
     }
 
     /// The common place in a plane across a direction, or with one parameter given.
@@ -201,9 +223,22 @@ impl<'s> SurfacePair<'s> {
             },
         );
         let at = found.unless_stuck()?;
-        let is_there = at.iter().all(|x| x.is_finite())
-            && norm(self.look(at).apart) <= MEETING_SHARE * self.tolerance;
-        is_there.then(|| self.place(at))
+        let look = self.look(at);
+        let is_there =
+            at.iter().all(|x| x.is_finite()) && norm(look.apart) <= MEETING_SHARE * self.tolerance;
+        is_there.then(|| look.place(at))
+    }
+}
+
+impl PairState {
+    /// The place of both at the parameters at which it was looked.
+    fn place(&self, at: [f64; 4]) -> PairParameters {
+        let [pu, pv, qu, qv] = self.slopes;
+        let normals = [unit(pu.cross(pv)), unit(qu.cross(qv))];
+        let across = normals[0].zip(normals[1]).map_or(DVec3::ZERO, |(a, b)| a.cross(b));
+        let is_clear = LAST_BIT.sqrt() < across.length();
+        let tangent = unit(across).filter(|_| is_clear).unwrap_or(DVec3::ZERO);
+        PairParameters { at, point: self.point, tangent }
     }
 }
 

@@ -147,15 +147,19 @@ pub(super) fn verify(
 }
 
 /// A surface with the parameters under the last of some points, where the next is looked for first.
-struct ClosestPointTracker<'s> {
+pub(in crate::surface) struct ClosestPointTracker<'s> {
     surface: &'s NurbsSurface,
     parameters: Option<[f64; 2]>,
 }
 
-impl ClosestPointTracker<'_> {
+impl<'s> ClosestPointTracker<'s> {
+    pub(in crate::surface) fn new(surface: &'s NurbsSurface) -> Self {
+        Self { surface, parameters: None }
+    }
+
     /// How far a point is from the surface, at most; beyond the tolerance, how far it is.
-    fn distance(&mut self, point: DVec3, tolerance: f64) -> f64 {
-        let beside = self.parameters.map(|start| self.surface.foot_from(start, point));
+    pub(in crate::surface) fn distance(&mut self, point: DVec3, tolerance: f64) -> f64 {
+        let beside = self.parameters.map(|start| self.surface.place_near(start, point, tolerance));
         let foot = match beside {
             Some(foot) if foot.distance <= tolerance => foot,
             _ => self.surface.closest(point),
@@ -167,11 +171,8 @@ impl ClosestPointTracker<'_> {
 
 /// Fails where the curve is further than the tolerance from what meets.
 fn is_on(curve: &NurbsCurve, meeting: &CurveOrigin<'_>, tolerance: f64) -> Result<(), GeomError> {
-    let mut surfaces: Vec<ClosestPointTracker<'_>> = meeting
-        .surfaces()
-        .iter()
-        .map(|&surface| ClosestPointTracker { surface, parameters: None })
-        .collect();
+    let trackers = meeting.surfaces().iter().map(|surface| ClosestPointTracker::new(surface));
+    let mut surfaces: Vec<ClosestPointTracker<'_>> = trackers.collect();
     let knots = curve.knots().distinct();
     for pair in knots.windows(2) {
         for share in SHARES {
