@@ -1,6 +1,7 @@
 //! Least values on kinks that are bent, under conditions that bind, and of functions without derivatives: whatever is
 //! answered is right, or refused.
 
+use proptest::{collection::vec, prop_assert, prop_assume, proptest};
 use virote_kernel::{Answers, ConstrainedLeast, LeastEnd, LeastProblem, Wanted};
 
 const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -147,6 +148,42 @@ fn kinks_under_conditions_that_bind_are_told() {
                 assert!(!is_told || (found.values[0] - least).abs() < 1e-6, "{case}");
                 assert!(!is_told || -1e-7 < found.values[1], "{case}");
             }
+        }
+    }
+}
+
+proptest! {
+    /// A linear function is least in an ellipsoid where the ellipsoid's normal is its gradient: by Lagrange the least value
+    /// is that of the centre less the radius times √(Σ c²/d).
+    #[test]
+    fn linear_functions_are_least_on_the_border_of_an_ellipsoid(
+        slopes in vec(-1.0..1.0_f64, 1..6),
+        axes in vec(0.2..2.0_f64, 5),
+        center in vec(-2.0..2.0_f64, 5),
+        off in vec(-0.5..0.5_f64, 5),
+        size in -3.0..3.0_f64,
+    ) {
+        let size = libm::pow(10.0, size);
+        let n = slopes.len();
+        let steep: f64 = slopes.iter().zip(&axes).map(|(c, d)| c * c / d).sum();
+        prop_assume!(1e-4 < steep);
+        let from_center = |x: &[f64]| x.iter().zip(&center).map(|(x, m)| x - size * m).collect::<Vec<f64>>();
+        let functions = |x: &[f64]| {
+            let away = from_center(x);
+            let value = slopes.iter().zip(x).map(|(c, x)| c * x).sum();
+            let inside = size * size - axes.iter().zip(&away).map(|(d, r)| d * r * r).sum::<f64>();
+            let normal = axes.iter().zip(&away).map(|(d, r)| -2.0 * d * r).collect();
+            (vec![value, inside], vec![slopes.clone(), normal])
+        };
+        let start: Vec<f64> = (0..n).map(|k| size * (center[k] + off[k] / n as f64)).collect();
+        let middle: f64 = slopes.iter().zip(&center).map(|(c, m)| c * m).sum();
+        let least = size * (middle - steep.sqrt());
+        for derivatives in BOTH {
+            let found = found(functions, &start, derivatives);
+            let is_told = found.end == LeastEnd::Settled;
+            prop_assert!(is_told || derivatives == Derivatives::Differences, "{:?}", found);
+            let near = 1e-7 * (size + least.abs());
+            prop_assert!(!is_told || (found.values[0] - least).abs() < near, "{:?} for {}", found, least);
         }
     }
 }
