@@ -64,15 +64,12 @@ where
             return Ok(None);
         }
         self.approach()?;
-        let (mut is_pole, mut ends) = (false, false);
+        let mut is_pole = self.best.1 < END_OF_NUMBERS && !self.is_corner()?;
         for way in 0..self.n_ways {
             for side in [-1.0, 1.0] {
-                ends = ends || self.ends_behind(way, side)?;
                 is_pole = is_pole || self.falls_on(way, side)?;
             }
         }
-        // A value there, however low, is one where a way ends on it.
-        is_pole = is_pole || self.best.1 < END_OF_NUMBERS && !ends;
         Ok(is_pole.then_some(self.best.0))
     }
 
@@ -139,6 +136,16 @@ where
     /// How near to the best place a function is asked on a way.
     fn nearest(&self, way: usize) -> f64 {
         NEARER * (self.spacing)(&self.best.0, way).max(POLE_NEAREST)
+    }
+
+    /// Whether all ways end at the best place: the value there, however low, is one.
+    fn is_corner(&mut self) -> Result<bool, E> {
+        for way in 0..self.n_ways {
+            if !(self.ends_behind(way, -1.0)? || self.ends_behind(way, 1.0)?) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Whether a way that comes from one side ends at the best place.
