@@ -32,10 +32,16 @@ impl KnotVector {
     /// Calls `f` with the basis of a span; no heap allocation up to degree 7.
     #[inline]
     pub(crate) fn with_basis_on<R>(&self, span: usize, t: f64, f: impl FnOnce(&[f64]) -> R) -> R {
+        if t < self.knots[span + 1] {
+            match self.degree {
+                1 => return f(&self.nearby::<2>(span, t).basis().0),
+                2 => return f(&self.nearby::<3>(span, t).basis().0),
+                3 => return f(&self.nearby::<4>(span, t).basis().0),
+                _ => {}
+            }
+        }
+        // At the end of the domain too, which a product with a rounded reciprocal would miss.
         match self.degree {
-            1 => f(&self.unrolled::<2>(span, t).0),
-            2 => f(&self.unrolled::<3>(span, t).0),
-            3 => f(&self.unrolled::<4>(span, t).0),
             degree @ ..=SMALL_DEGREE => {
                 let mut values = [0.0; SMALL_DEGREE + 1];
                 self.basis_at(span, t, &mut values);
@@ -58,19 +64,24 @@ impl KnotVector {
         t: f64,
         f: impl FnOnce(&[f64], &[f64]) -> R,
     ) -> R {
+        if t < self.knots[span + 1] {
+            match self.degree {
+                1 => {
+                    let (values, slopes) = self.nearby::<2>(span, t).basis();
+                    return f(&values, &slopes);
+                }
+                2 => {
+                    let (values, slopes) = self.nearby::<3>(span, t).basis();
+                    return f(&values, &slopes);
+                }
+                3 => {
+                    let (values, slopes) = self.nearby::<4>(span, t).basis();
+                    return f(&values, &slopes);
+                }
+                _ => {}
+            }
+        }
         match self.degree {
-            1 => {
-                let (values, slopes) = self.unrolled::<2>(span, t);
-                f(&values, &slopes)
-            }
-            2 => {
-                let (values, slopes) = self.unrolled::<3>(span, t);
-                f(&values, &slopes)
-            }
-            3 => {
-                let (values, slopes) = self.unrolled::<4>(span, t);
-                f(&values, &slopes)
-            }
             degree @ ..=SMALL_DEGREE => {
                 let (mut values, mut slopes) = ([0.0; SMALL_DEGREE + 1], [0.0; SMALL_DEGREE + 1]);
                 self.slopes_at(span, t, &mut values, &mut slopes);
@@ -198,23 +209,16 @@ impl KnotVector {
         }
     }
 
-    /// Values and first derivatives for degree N − 1, which is 1, 2 or 3, by the same recurrence
-    /// as [`KnotVector::basis_at`].
+    /// What the basis of degree N − 1, which is 1, 2 or 3, depends on at a parameter before the end of its span.
     #[inline]
-    fn unrolled<const N: usize>(&self, span: usize, t: f64) -> ([f64; N], [f64; N]) {
+    fn nearby<const N: usize>(&self, span: usize, t: f64) -> NearbyKnots<'_, N> {
         let first = span + 2 - N;
         let (Some(lefts), Some(widths)) =
             (self.knots[first..].first_chunk(), self.reciprocals.widths[first..].first_chunk())
         else {
             unreachable!("a span of the domain has p knots on either side")
         };
-        if self.knots[span + 1] <= t {
-            // The end of the domain, which a product with a rounded reciprocal would miss.
-            let (mut values, mut slopes) = ([0.0; N], [0.0; N]);
-            self.slopes_at(span, t, &mut values, &mut slopes);
-            return (values, slopes);
-        }
-        NearbyKnots { t, lefts, widths }.basis()
+        NearbyKnots { t, lefts, widths }
     }
 
     /// `made` of the basis of degree p = N − 1 on a span and its first derivatives, at each of many parameters before
@@ -227,14 +231,9 @@ impl KnotVector {
         made: &mut [f64],
         make: impl Fn(&[f64; N], &[f64; N]) -> f64,
     ) -> bool {
-        let first = span + 2 - N;
-        let (Some(lefts), Some(widths)) =
-            (self.knots[first..].first_chunk(), self.reciprocals.widths[first..].first_chunk())
-        else {
-            unreachable!("a span of the domain has p knots on either side")
-        };
+        let nearby = self.nearby::<N>(span, self.knots[span]);
         for (made, &t) in made.iter_mut().zip(parameters) {
-            let (values, slopes) = NearbyKnots { t, lefts, widths }.basis();
+            let (values, slopes) = NearbyKnots { t, ..nearby }.basis();
             *made = make(&values, &slopes);
         }
         parameters.iter().all(|&t| t < self.knots[span + 1])

@@ -215,19 +215,22 @@ impl KnotVector {
     #[must_use]
     #[inline]
     pub fn span_at(&self, t: f64) -> usize {
+        // Even knots need no search.
+        let even = (t - self.knots[self.degree]) * self.reciprocals.mean_span;
+        let guess = self.degree + even as u32 as usize;
+        let is_inside = guess < self.n_points();
+        if is_inside && self.knots[guess] <= t && t < self.knots[guess + 1] {
+            return guess;
+        }
+        self.searched_span(t)
+    }
+
+    /// [`Self::span_at`] of any knots.
+    fn searched_span(&self, t: f64) -> usize {
         let (first, last) = (self.degree, self.n_points());
         let inside = &self.knots[first..=last];
-        let (n_spans, start) = (last - first, inside[0]);
-        let t = t.max(start);
-
-        // Even knots need no search.
-        let even = (t - start) * self.reciprocals.mean_span;
-        let guess = (even as usize).min(n_spans - 1);
-        if inside[guess] <= t && t < inside[guess + 1] {
-            return first + guess;
-        }
-
-        let mut span = inside.partition_point(|&knot| knot <= t).min(n_spans) - 1;
+        let t = t.max(inside[0]);
+        let mut span = inside.partition_point(|&knot| knot <= t).min(last - first) - 1;
         // At the end of the domain, back over the knots that stand there.
         while inside[span] >= inside[span + 1] {
             span -= 1;
@@ -395,15 +398,13 @@ impl KnotVector {
 }
 
 fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
-    let mut index = 0;
-    for run in knots.chunk_by(|a, b| a.total_cmp(b).is_eq()) {
-        if degree + 1 < run.len() {
-            let (knot, times, most) = (run[0], run.len(), degree + 1);
-            return Err(KnotError::KnotMultiplicity { index, knot, times, most }.into());
-        }
-        index += run.len();
-    }
-    Ok(())
+    let is_same = |a: &f64, b: &f64| a.total_cmp(b).is_eq();
+    // They are sorted.
+    let mut ends = knots.iter().zip(&knots[degree + 1..]);
+    let Some(index) = ends.position(|(first, last)| is_same(first, last)) else { return Ok(()) };
+    let knot = knots[index];
+    let times = knots[index..].iter().take_while(|other| is_same(other, &knot)).count();
+    Err(KnotError::KnotMultiplicity { index, knot, times, most: degree + 1 }.into())
 }
 
 fn check_degree(degree: usize) -> Result<(), GeomError> {
