@@ -151,22 +151,16 @@ impl DistanceBounds {
     pub(super) fn is_convex(&mut self, lambda: f64) -> bool {
         self.fill(lambda);
         let [n_u, n_v] = self.n;
-        let at = |i: usize, j: usize| self.gap[i * n_v + j];
-        let [mut along_u, mut along_v, mut mixed] = [f64::INFINITY, f64::INFINITY, 0.0_f64];
-        for i in 2..n_u {
-            for j in 0..n_v {
-                along_u = along_u.min((at(i, j) - at(i - 1, j)) - (at(i - 1, j) - at(i - 2, j)));
-            }
-        }
-        for i in 0..n_u {
-            for j in 2..n_v {
-                along_v = along_v.min((at(i, j) - at(i, j - 1)) - (at(i, j - 1) - at(i, j - 2)));
-            }
-        }
-        for i in 1..n_u {
-            for j in 1..n_v {
-                let twist = (at(i, j) - at(i - 1, j)) - (at(i, j - 1) - at(i - 1, j - 1));
-                mixed = mixed.max(twist.abs());
+        let lesser = |least: f64, bend: f64| if bend < least { bend } else { least };
+        let along_u = self.bends_u().fold(f64::INFINITY, lesser);
+        let along_v = self.bends_v().fold(f64::INFINITY, lesser);
+        let mut mixed = 0.0;
+        for (this, next) in self.gap.chunks_exact(n_v).zip(self.gap[n_v..].chunks_exact(n_v)) {
+            let mut before = next[0] - this[0];
+            for (this, next) in this.iter().zip(next).skip(1) {
+                let rise = next - this;
+                let twist = (rise - before).abs();
+                (before, mixed) = (rise, if mixed < twist { twist } else { mixed });
             }
         }
         let [p, q] = self.n.map(|n| n as f64 - 1.0);
@@ -182,20 +176,8 @@ impl DistanceBounds {
     /// Along which direction the polynomial bends more, of those that were not halved too often;
     /// none if both were.
     pub(super) fn direction_to_halve(&self, n_halvings: [u8; 2], most: u8) -> Option<Direction> {
-        let [n_u, n_v] = self.n;
-        let at = |i: usize, j: usize| self.gap[i * n_v + j];
-        let bends = |a: f64, b: f64, c: f64| ((c - b) - (b - a)).abs();
-        let mut along = [0.0, 0.0];
-        for i in 2..n_u {
-            for j in 0..n_v {
-                along[0] += bends(at(i - 2, j), at(i - 1, j), at(i, j));
-            }
-        }
-        for i in 0..n_u {
-            for j in 2..n_v {
-                along[1] += bends(at(i, j - 2), at(i, j - 1), at(i, j));
-            }
-        }
+        let along =
+            [self.bends_u().map(f64::abs).sum::<f64>(), self.bends_v().map(f64::abs).sum::<f64>()];
         let can = [0, 1].map(|direction| self.n[direction] > 1 && n_halvings[direction] < most);
         match can {
             [false, false] => None,
@@ -204,6 +186,21 @@ impl DistanceBounds {
             [true, true] if along[0] < along[1] => Some(Direction::V),
             [true, true] => Some(Direction::U),
         }
+    }
+
+    /// Second differences of the polynomial's coefficients along u.
+    fn bends_u(&self) -> impl Iterator<Item = f64> {
+        let n = self.n[1];
+        let rows = |from: usize| self.gap.get(from * n..).unwrap_or_default();
+        second_differences(rows(0), rows(1), rows(2))
+    }
+
+    /// Those along v.
+    fn bends_v(&self) -> impl Iterator<Item = f64> {
+        self.gap.chunks_exact(self.n[1]).flat_map(|row| {
+            let from = |place: usize| row.get(place..).unwrap_or_default();
+            second_differences(row, from(1), from(2))
+        })
     }
 
     fn fill(&mut self, lambda: f64) {
@@ -224,6 +221,10 @@ impl DistanceBounds {
     fn slack(&self) -> f64 {
         ROUNDINGS * (self.n[0] + self.n[1]) as f64 * LAST_BIT * self.largest
     }
+}
+
+fn second_differences(a: &[f64], b: &[f64], c: &[f64]) -> impl Iterator<Item = f64> {
+    a.iter().zip(b).zip(c).map(|((a, b), c)| (c - b) - (b - a))
 }
 
 /// De Casteljau at the middle of every row of `n` values: the first halves, and in place the

@@ -7,8 +7,10 @@
 //! convex with λ the square of its distance; otherwise the patch is halved. So the answer does not
 //! hang on a guess, minima on the boundary are found like all others, and nothing is sampled.
 //!
-//! `tree` has the boxes, `spans` what makes patches, `patch` a patch and the minimum on a part of it, `gap` the polynomial.
+//! `tree` has the boxes, `spans` what makes patches, `patch` a patch and the minimum on a part of it, `basis` its
+//! derivatives, `gap` the polynomial.
 
+mod basis;
 mod gap;
 mod patch;
 mod spans;
@@ -296,7 +298,8 @@ impl ClosestPointSearch<'_> {
     fn descend_from_found(&mut self) {
         let degrees = [self.whole.along[0].degree, self.whole.along[1].degree];
         if let Some(&(spans, place)) = self.found.last() {
-            let minimum = self.patch.minimum(PatchPart::whole(degrees), place, self.rounding);
+            let minimum =
+                self.patch.minimum(PatchPart::whole(degrees), place, self.rounding, f64::INFINITY);
             if minimum.squared < self.best * self.best {
                 self.note(minimum.place, minimum.squared.sqrt(), spans);
             }
@@ -323,7 +326,11 @@ impl ClosestPointSearch<'_> {
         }
         if self.gap.is_convex(limit * limit) {
             let start = cell.at(self.gap.place_of_least());
-            let minimum = self.patch.minimum(cell, start, self.rounding);
+            let sought = self.distance_limit();
+            let minimum = self.patch.minimum(cell, start, self.rounding, sought);
+            if minimum.is_beyond {
+                return None;
+            }
             self.note(minimum.place, minimum.squared.sqrt(), spans);
             if minimum.is_stationary && self.gap.is_convex(minimum.squared) {
                 return None;
@@ -340,12 +347,16 @@ impl ClosestPointSearch<'_> {
         self.gap.is_nothing(self.best * self.best, of_square)
     }
 
-    fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
-        let distance_limit = match self.wanted {
+    /// What is further away than this is not kept.
+    fn distance_limit(&self) -> f64 {
+        match self.wanted {
             SearchTarget::One | SearchTarget::OneWithin(_) => self.best,
             SearchTarget::AllWithin(_) => self.limit(),
-        };
-        if !self.has_nothing() && distance_limit < distance {
+        }
+    }
+
+    fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
+        if !self.has_nothing() && self.distance_limit() < distance {
             return;
         }
         if let SearchTarget::One = self.wanted {
@@ -361,7 +372,7 @@ impl ClosestPointSearch<'_> {
         if let &[(spans, place)] = &self.found[..] {
             self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
             let cell = PatchPart::whole([along[0].degree, along[1].degree]);
-            self.found[0].1 = self.patch.minimum(cell, place, self.rounding).place;
+            self.found[0].1 = self.patch.minimum(cell, place, self.rounding, f64::INFINITY).place;
         }
     }
 

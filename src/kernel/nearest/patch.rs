@@ -4,7 +4,10 @@ use std::{convert::Infallible, ops::ControlFlow};
 
 use glam::{DVec2, DVec3, DVec4};
 
-use super::spans::DirectionSpans;
+use super::{
+    basis::{self, Basis},
+    spans::DirectionSpans,
+};
 use crate::{
     Bounds, Direction, Interval, bezier,
     ceiling::{NEAREST_STEPS, STEP_HALVINGS, WHOLE_STEPS},
@@ -15,6 +18,9 @@ use crate::{
     },
     tolerance::LAST_BIT,
 };
+
+/// Last bits of the square of a distance that the bound by a tangent plane may be off.
+const BEYOND_ROUNDINGS: f64 = 16.0;
 
 /// A part of a patch, in fractions of its spans.
 #[derive(Clone, Copy, Debug)]
@@ -32,24 +38,21 @@ pub(super) struct Minimum {
     pub(super) squared: f64,
     /// Whether it is a minimum up to rounding.
     pub(super) is_stationary: bool,
+    /// Whether nothing of the part can be as near as was asked for, so that the descent ended.
+    pub(super) is_beyond: bool,
 }
 
 /// The net of a patch, with room to work.
 pub(super) struct BezierPatch {
     degrees: [usize; 2],
     net: Vec<DVec4>,
+    /// Whether all weights are one number.
+    has_one_weight: bool,
     strip: Vec<DVec4>,
     /// The net of a part, and the places of its points.
     part: Vec<DVec4>,
     places: Vec<DVec3>,
     bases: [Basis; 2],
-}
-
-/// Bernstein polynomials and their first two derivatives.
-struct Basis {
-    values: Vec<f64>,
-    slopes: Vec<f64>,
-    bends: Vec<f64>,
 }
 
 /// The way from the place that is asked for to a point, with its derivatives.
@@ -95,6 +98,15 @@ impl PatchPart {
         [0, 1].map(|i| place[i].clamp(self.low[i], self.high[i]))
     }
 
+    /// By how much a plane that is tangent to the square of the distance falls at most from a place to the end of the part.
+    fn fall(&self, way: &FootVector) -> f64 {
+        let along = |i: usize| {
+            let [to_low, to_high] = [way.place[i] - self.low[i], way.place[i] - self.high[i]];
+            2.0 * (way.slope[i] * to_low).max(way.slope[i] * to_high)
+        };
+        along(0) + along(1)
+    }
+
     /// Whether the way down is barred along a direction.
     fn bars(&self, way: &FootVector, i: usize) -> bool {
         (way.place[i] <= self.low[i] && 0.0 <= way.slope[i])
@@ -104,14 +116,17 @@ impl PatchPart {
 
 impl BezierPatch {
     pub(super) fn new(degrees: [usize; 2]) -> Self {
-        let basis = |degree: usize| Basis {
-            values: vec![0.0; degree + 1],
-            slopes: vec![0.0; degree + 1],
-            bends: vec![0.0; degree + 1],
-        };
         let net = vec![DVec4::ZERO; (degrees[0] + 1) * (degrees[1] + 1)];
         let (part, places) = (Vec::with_capacity(net.len()), Vec::with_capacity(net.len()));
-        Self { degrees, strip: net.clone(), net, part, places, bases: degrees.map(basis) }
+        Self {
+            degrees,
+            strip: net.clone(),
+            net,
+            has_one_weight: false,
+            part,
+            places,
+            bases: degrees.map(Basis::new),
+        }
     }
 
     /// Becomes the patch over a pair of spans, seen from `p` with lengths multiplied by `unit`.
@@ -126,8 +141,12 @@ impl BezierPatch {
         let first = [0, 1].map(|i| along[i].spans[spans[i]].first);
         let seen = |point: DVec4| ((point.truncate() - p * point.w) * unit).extend(point.w);
         let to_bezier = along[1].to_bezier(spans[1]);
+        let row_of = |i: usize| &points[(first[0] + i) * n_columns + first[1]..][..n_v];
+        let weight = row_of(0)[0].w.to_bits();
+        self.has_one_weight =
+            (0..n_u).all(|i| row_of(i).iter().all(|point| point.w.to_bits() == weight));
         for i in 0..n_u {
-            let row = &points[(first[0] + i) * n_columns + first[1]..][..n_v];
+            let row = row_of(i);
             let strip = &mut self.strip[i * n_v..][..n_v];
             strip.fill(DVec4::ZERO);
             for (j, &point) in row.iter().enumerate() {
@@ -209,16 +228,32 @@ impl BezierPatch {
     /// The nearest point on a part, of those that a descent from `start` comes to. It is a minimum
     /// if no other distance in the part would be less by more than `rounding`, were the square of
     /// the distance convex.
-    pub(super) fn minimum(&mut self, cell: PatchPart, start: [f64; 2], rounding: f64) -> Minimum {
-        let Ok(way) =
-            descend(&cell, start, 0.0, |place| Ok::<FootVector, Infallible>(self.way(place)));
+    ///
+    /// The descent ends where nothing of the part can be within the distance `sought`, if there is one weight and the
+    /// square of the distance is convex, as the caller knows: then it lies above its tangent plane.
+    pub(super) fn minimum(
+        &mut self,
+        cell: PatchPart,
+        start: [f64; 2],
+        rounding: f64,
+        sought: f64,
+    ) -> Minimum {
+        let has_one_weight = self.has_one_weight;
+        let is_beyond = |way: &FootVector| {
+            let least = way.squared * (1.0 - BEYOND_ROUNDINGS * LAST_BIT) - cell.fall(way);
+            has_one_weight && sought * sought < least
+        };
+        let Ok(way) = descend_until(&cell, start, is_beyond, |place| {
+            Ok::<FootVector, Infallible>(self.way(place))
+        });
         let left: f64 = [0, 1]
             .into_iter()
             .filter(|&i| !cell.bars(&way, i))
             .map(|i| 2.0 * way.slope[i].abs() * (cell.high[i] - cell.low[i]))
             .sum();
         let is_stationary = left <= rounding * (2.0 * way.squared.sqrt() + rounding);
-        Minimum { place: way.place, squared: way.squared, is_stationary }
+        let is_beyond = is_beyond(&way);
+        Minimum { place: way.place, squared: way.squared, is_stationary, is_beyond }
     }
 
     /// The square of the distance of a place.
@@ -227,27 +262,10 @@ impl BezierPatch {
     }
 
     fn way(&mut self, place: [f64; 2]) -> FootVector {
-        let [along_u, along_v] = &mut self.bases;
-        along_u.tabulate(place[0]);
-        along_v.tabulate(place[1]);
-        let n_v = along_v.values.len();
-        let mut sums = [DVec4::ZERO; 6];
-        for (i, row) in self.net.chunks_exact(n_v).enumerate() {
-            let [mut value, mut slope, mut bend] = [DVec4::ZERO; 3];
-            for (j, &point) in row.iter().enumerate() {
-                value += point * along_v.values[j];
-                slope += point * along_v.slopes[j];
-                bend += point * along_v.bends[j];
-            }
-            let (n, dn, ddn) = (along_u.values[i], along_u.slopes[i], along_u.bends[i]);
-            sums[0] += value * n;
-            sums[1] += value * dn;
-            sums[2] += slope * n;
-            sums[3] += value * ddn;
-            sums[4] += slope * dn;
-            sums[5] += bend * n;
-        }
-        FootVector::new(place, homogeneous::second_order(sums))
+        FootVector::new(
+            place,
+            homogeneous::second_order(basis::sums(&self.net, &mut self.bases, place)),
+        )
     }
 }
 
@@ -256,9 +274,19 @@ pub(crate) fn descend<E>(
     cell: &PatchPart,
     start: [f64; 2],
     near: f64,
+    way_at: impl FnMut([f64; 2]) -> Result<FootVector, E>,
+) -> Result<FootVector, E> {
+    descend_until(cell, start, |way| way.squared <= near * near, way_at)
+}
+
+/// Goes down from `start` within a part, by Newton's method, as far as that leads or is of use.
+fn descend_until<E>(
+    cell: &PatchPart,
+    start: [f64; 2],
+    is_enough: impl Fn(&FootVector) -> bool,
     mut way_at: impl FnMut([f64; 2]) -> Result<FootVector, E>,
 ) -> Result<FootVector, E> {
-    improved(way_at(start)?, NEAREST_STEPS, |way| match way.squared <= near * near {
+    improved(way_at(start)?, NEAREST_STEPS, |way| match is_enough(way) {
         true => Ok(None),
         false => lower(cell, way, &mut way_at),
     })
@@ -274,15 +302,17 @@ fn lower<E>(
     way_at: &mut impl FnMut([f64; 2]) -> Result<FootVector, E>,
 ) -> Result<Option<FootVector>, E> {
     let step_of = |from: &FootVector| from.step([0, 1].map(|i| cell.bars(from, i)));
+    let whole = step_of(way);
     let mut ahead = *way;
     for _ in 0..WHOLE_STEPS {
         match stepped(cell, &ahead, step_of(&ahead), way_at)? {
             Some(next) if is_lower(cell, &next, way) => return Ok(Some(next)),
+            Some(_) if way.gains_rounding(whole) => return Ok(None),
             Some(next) => ahead = next,
             None => break,
         }
     }
-    shortened(step_of(way).map(|step| 0.5 * step), STEP_HALVINGS, |step| {
+    shortened(whole.map(|step| 0.5 * step), STEP_HALVINGS, |step| {
         Ok(match stepped(cell, way, step, way_at)? {
             Some(next) if is_lower(cell, &next, way) => ControlFlow::Break(Some(next)),
             Some(_) => ControlFlow::Continue(()),
@@ -321,6 +351,12 @@ impl FootVector {
         Self { place, squared: r.dot(r), slope: [r.dot(u), r.dot(v)], bend, metric }
     }
 
+    /// Whether all that a step of Newton's is to take off the square of the distance is its rounding.
+    fn gains_rounding(&self, step: [f64; 2]) -> bool {
+        let gain = self.slope[0] * step[0] + self.slope[1] * step[1];
+        gain.abs() <= LAST_BIT * self.squared
+    }
+
     /// Newton's step along the free directions; where the square of the distance is not convex
     /// that of Gauss and Newton, which goes down always.
     fn step(&self, barred: [bool; 2]) -> [f64; 2] {
@@ -353,45 +389,4 @@ fn single(slope: f64, bend: f64, metric: f64) -> f64 {
     } else {
         0.0
     }
-}
-
-impl Basis {
-    fn tabulate(&mut self, s: f64) {
-        let p = self.values.len() - 1;
-        self.values[0] = 1.0;
-        for degree in 0..=p {
-            if degree + 2 == p {
-                let factor = (p * (p - 1)) as f64;
-                for i in 0..=p {
-                    let at = |back: usize| match i.checked_sub(back) {
-                        Some(i) if i <= degree => self.values[i],
-                        _ => 0.0,
-                    };
-                    self.bends[i] = factor * ((at(2) - at(1)) - (at(1) - at(0)));
-                }
-            }
-            if degree + 1 == p {
-                for i in 0..=p {
-                    let before = if i == 0 { 0.0 } else { self.values[i - 1] };
-                    let this = if i == p { 0.0 } else { self.values[i] };
-                    self.slopes[i] = p as f64 * (before - this);
-                }
-            }
-            if degree < p {
-                raise(&mut self.values[..degree + 2], s);
-            }
-        }
-    }
-}
-
-/// The Bernstein polynomials of one degree more.
-fn raise(values: &mut [f64], s: f64) {
-    let mut passed = 0.0;
-    let last = values.len() - 1;
-    for value in &mut values[..last] {
-        let this = *value;
-        *value = passed + this * (1.0 - s);
-        passed = this * s;
-    }
-    values[last] = passed;
 }
