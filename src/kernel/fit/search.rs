@@ -160,12 +160,13 @@ impl FitSearch<'_> {
     /// holds it.
     fn goes_straight(&self, trial: &FittedCurve) -> bool {
         let curve = trial.curve.evaluator();
+        let mut from = curve.point_at(trial.parameters[0]);
         trial.parameters.windows(2).zip(self.points.windows(2)).all(|(ends, points)| {
-            let place = |k: usize| {
+            let legs = (1..=DETOUR_PARTS).map(|k| {
                 let fraction = k as f64 / DETOUR_PARTS as f64;
-                curve.point_at((1.0 - fraction) * ends[0] + fraction * ends[1])
-            };
-            let legs = (0..DETOUR_PARTS).map(|k| place(k).distance(place(k + 1)));
+                let to = curve.point_at((1.0 - fraction) * ends[0] + fraction * ends[1]);
+                std::mem::replace(&mut from, to).distance(to)
+            });
             let straight = points[0].distance(points[1]) + 2.0 * self.tolerance;
             legs.sum::<f64>() <= MOST_DETOUR * straight
         })

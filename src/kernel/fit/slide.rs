@@ -50,11 +50,43 @@ pub(super) fn slid(
     points.iter().all(|point| point.is_finite()).then_some(points)
 }
 
+/// Control points that act on a span of a cubic, and pairs of them: numbers that the compiler knows make loops faster.
+const CUBIC: usize = 4;
+const CUBIC_PAIRS: usize = CUBIC * (CUBIC + 1) / 2;
+
 /// How much an error counts by its direction: whole, and so much less along one.
 #[derive(Clone, Copy)]
 struct PointCounts {
     direction: DVec3,
     less: f64,
+}
+
+impl PointCounts {
+    /// Adds to the sums of control points what they share of an error.
+    #[inline(always)]
+    fn share_out(
+        self,
+        missing: DVec3,
+        shares: &[f64],
+        blocks: &mut [[f64; 6]],
+        steps: &mut [DVec3],
+    ) {
+        let Self { direction, less } = self;
+        let DVec3 { x, y, z } = direction;
+        let [lx, ly, lz] = [less * x, less * y, less * z];
+        let counts = [1.0 - lx * x, -lx * y, -lx * z, 1.0 - ly * y, -ly * z, 1.0 - lz * z];
+        let missing = missing - less * missing.dot(direction) * direction;
+        let mut blocks = blocks.iter_mut();
+        for (j, (&share, step)) in shares.iter().zip(steps).enumerate() {
+            *step += share * missing;
+            for (&other, block) in shares[j..].iter().zip(&mut blocks) {
+                let both = share * other;
+                for (sum, count) in block.iter_mut().zip(counts) {
+                    *sum += both * count;
+                }
+            }
+        }
+    }
 }
 
 /// The sums that the points over a span add to the equations: of the control points that act there,
@@ -70,25 +102,14 @@ impl SpanSums {
         Self { blocks: vec![[0.0; 6]; n * (n + 1) / 2], steps: vec![DVec3::ZERO; n] }
     }
 
-    fn add(
-        &mut self,
-        shares: &[f64],
-        PointCounts { direction, less }: PointCounts,
-        missing: DVec3,
-    ) {
-        let DVec3 { x, y, z } = direction;
-        let [lx, ly, lz] = [less * x, less * y, less * z];
-        let counts = [1.0 - lx * x, -lx * y, -lx * z, 1.0 - ly * y, -ly * z, 1.0 - lz * z];
-        let missing = missing - less * missing.dot(direction) * direction;
-        let mut blocks = self.blocks.iter_mut();
-        for (j, (&share, step)) in shares.iter().zip(&mut self.steps).enumerate() {
-            *step += share * missing;
-            for (&other, block) in shares[j..].iter().zip(&mut blocks) {
-                let both = share * other;
-                for (sum, count) in block.iter_mut().zip(counts) {
-                    *sum += both * count;
-                }
+    fn add(&mut self, shares: &[f64], counts: PointCounts, missing: DVec3) {
+        let (blocks, steps) = (&mut self.blocks[..], &mut self.steps[..]);
+        let cubic = <&[f64; CUBIC]>::try_from(shares).ok();
+        match (cubic, blocks.first_chunk_mut::<CUBIC_PAIRS>(), steps.first_chunk_mut::<CUBIC>()) {
+            (Some(shares), Some(blocks), Some(steps)) => {
+                counts.share_out(missing, shares, blocks, steps);
             }
+            _ => counts.share_out(missing, shares, blocks, steps),
         }
     }
 

@@ -159,11 +159,8 @@ impl BandedSystem {
                 values.swap(k, exchanged[k]);
             }
             let value = values[k];
-            // Down the column.
-            let below = self.rows.iter().skip(self.place(k, k));
-            let factors = below.step_by(self.width.max(2) - 1).skip(1);
-            for (later, factor) in values[k + 1..].iter_mut().take(self.lower).zip(factors) {
-                *later -= factor * value;
+            for later in k + 1..n.min(k + 1 + self.lower) {
+                values[later] -= self.rows[self.place(later, k)] * value;
             }
         }
         for k in (0..n).rev() {
@@ -192,10 +189,8 @@ impl BandedSystem {
             }
         }
         for k in (0..n).rev() {
-            let below = self.rows.iter().skip(self.place(k, k));
-            let factors = below.step_by(self.width.max(2) - 1).skip(1).take(self.lower);
-            let sum: f64 =
-                factors.zip(&values[k + 1..]).map(|(factor, value)| factor * value).sum();
+            let later = k + 1..n.min(k + 1 + self.lower);
+            let sum: f64 = later.map(|row| self.rows[self.place(row, k)] * values[row]).sum();
             values[k] -= sum;
             if let Some(exchanged) = &self.exchanged {
                 values.swap(k, exchanged[k]);
