@@ -69,19 +69,19 @@ fn tabulate([values, slopes, bends]: [&mut [f64]; 3], s: f64) {
     for degree in 0..=p {
         if degree + 2 == p {
             let factor = (p * (p - 1)) as f64;
-            for i in 0..=p {
+            for (i, bend) in bends.iter_mut().enumerate() {
                 let at = |back: usize| match i.checked_sub(back) {
                     Some(i) if i <= degree => values[i],
                     _ => 0.0,
                 };
-                bends[i] = factor * ((at(2) - at(1)) - (at(1) - at(0)));
+                *bend = factor * ((at(2) - at(1)) - (at(1) - at(0)));
             }
         }
         if degree + 1 == p {
-            for i in 0..=p {
+            for (i, slope) in slopes.iter_mut().enumerate() {
                 let before = if i == 0 { 0.0 } else { values[i - 1] };
                 let this = if i == p { 0.0 } else { values[i] };
-                slopes[i] = p as f64 * (before - this);
+                *slope = p as f64 * (before - this);
             }
         }
         if degree < p {

@@ -159,8 +159,8 @@ impl BandedSystem {
                 values.swap(k, exchanged[k]);
             }
             let value = values[k];
-            for later in k + 1..n.min(k + 1 + self.lower) {
-                values[later] -= self.rows[self.place(later, k)] * value;
+            for (row, later) in (k + 1..).zip(values[k + 1..].iter_mut().take(self.lower)) {
+                *later -= self.rows[self.place(row, k)] * value;
             }
         }
         for k in (0..n).rev() {
