@@ -14,10 +14,12 @@ use crate::kernel::{Curve, Jet, PointSlopes, Surface};
 
 /// The points that move in the arguments of an operation, where nothing else does.
 pub(super) struct GivenPoints {
-    held: Vec<Value>,
+    pub(super) held: Vec<Value>,
     pub(super) places: NumberPlaces,
     /// The slopes of the points of each net that moves.
     pub(super) sets: Vec<PointSlopes>,
+    /// Which of all nets each is.
+    pub(super) nets: Vec<usize>,
     pub(super) moving: Vec<GivenPoint>,
 }
 
@@ -57,8 +59,8 @@ impl GivenPoints {
             }));
             n_before += all.len();
         }
-        let sets: Vec<PointSlopes> = walk.sets.into_iter().map(|(_, slopes)| slopes).collect();
-        let mut own = Self { held, places, sets, moving };
+        let (nets, sets) = walk.sets.into_iter().unzip();
+        let mut own = Self { held, places, sets, nets, moving };
         if 1 < own.sets.len() {
             own.join();
         }

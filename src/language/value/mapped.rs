@@ -20,14 +20,14 @@ use super::{
 };
 use crate::kernel::{
     Curve, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
-    tolerance::LAST_BIT,
 };
 
 /// Fewer variables cost less by themselves.
-const FEWEST: usize = 4;
+pub(super) const FEWEST: usize = 4;
 
 /// How a matrix is looked for: the way that costs least comes first.
-const WAYS: [MapWay; 4] = [
+const WAYS: [MapWay; 5] = [
+    MapWay::SameShape,
     MapWay::Selected,
     MapWay::Steps { steps: Way::Turned(Reach::Wide), is_mixed: false },
     MapWay::Steps { steps: Way::TurnedApart, is_mixed: false },
@@ -36,6 +36,8 @@ const WAYS: [MapWay; 4] = [
 
 #[derive(Clone, Copy)]
 enum MapWay {
+    /// Each curve or surface of the answer is one of the given ones, on other knots or a part of it.
+    SameShape,
     /// Each point of the answer moves with one of the given points.
     Selected,
     /// By steps of points.
@@ -47,11 +49,11 @@ enum MapWay {
 }
 
 /// The places of an answer's numbers, and what it is made of.
-struct Question<'g> {
-    given: &'g GivenPoints,
-    answer: NumberPlaces,
+pub(super) struct Question<'g> {
+    pub(super) given: &'g GivenPoints,
+    pub(super) answer: NumberPlaces,
     /// By how many variables points move.
-    n_moving: usize,
+    pub(super) n_moving: usize,
 }
 
 impl Differences<'_> {
@@ -75,6 +77,7 @@ impl Differences<'_> {
                     continue;
                 }
                 MapWay::Steps { steps, is_mixed } => self.factors(&question, steps, is_mixed),
+                MapWay::SameShape => self.same_shape(&question).map(|factors| (factors, false)),
                 MapWay::Selected => self.selected(&question).map(|factors| (factors, false)),
             };
             let Some((factors, is_in_part)) = steps else { continue };
@@ -86,27 +89,6 @@ impl Differences<'_> {
             }
         }
         None
-    }
-
-    /// The matrix of an answer each of whose points moves with one given point, as all at once tell: along the first
-    /// coordinate alike, and along the second as far as their index says.
-    fn selected(&mut self, Question { given, answer, .. }: &Question<'_>) -> Option<PointFactors> {
-        let n = given.moving.len() as f64;
-        let (args, _) = given.at_once(|idx, _| DVec3::new(1.0, (idx + 1) as f64 / n, 0.0))?;
-        let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
-        let mut factors = Vec::new();
-        for (made, &first) in answer.points.iter().enumerate() {
-            let is_point = answer.numbers[first].0 == 0;
-            if !is_point || growth[first].abs() <= 0.0 {
-                continue;
-            }
-            let place = growth[first + 1] / growth[first] * n;
-            let is_whole = (place - place.round()).abs() <= LAST_BIT.sqrt();
-            let idx = is_whole.then_some(place.round() as usize)?;
-            let own = given.moving.get(idx.checked_sub(1)?)?;
-            factors.push((made, own.point, growth[first] / step));
-        }
-        Some(PointFactors::Alike(factors))
     }
 
     /// The matrix as steps of points tell it, and whether these were taken to reach a part of the answer each; none where
@@ -200,13 +182,13 @@ impl Differences<'_> {
     }
 
     /// The same answer from arguments with other variables.
-    fn over<'o>(&'o mut self, args: &'o [Value]) -> Differences<'o> {
+    pub(super) fn over<'o>(&'o mut self, args: &'o [Value]) -> Differences<'o> {
         let (base, plain) = (self.base.clone(), self.plain.clone());
         Differences { args, base, run: &mut *self.run, plain }
     }
 
     /// The first of some steps of the only variable after which there is an answer, and the growth over it.
-    fn grown(&mut self, halvings: &[i32]) -> Option<(f64, Vec<f64>)> {
+    pub(super) fn grown(&mut self, halvings: &[i32]) -> Option<(f64, Vec<f64>)> {
         let unit = self.unit_step(0)?;
         halvings.iter().find_map(|halvings| {
             let step = libm::ldexp(unit, -halvings);

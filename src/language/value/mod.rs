@@ -49,6 +49,8 @@ mod record;
 mod registry;
 mod remedy;
 mod rounding;
+mod same_shape;
+mod selected;
 mod settling;
 mod shape;
 mod switch;

@@ -1,0 +1,165 @@
+//! How control points of the same curve or surface on other knots, or of a part of it, are made of its own.
+//!
+//! A control point is the blossom of a piece at the p knots behind its own: whoever cuts, refines, reverses or
+//! reparametrizes makes all of them so. Ramshaw, *Blossoms are polar forms* (1989).
+
+use glam::DVec4;
+
+use crate::{
+    Interval, KnotVector, NurbsCurve, NurbsSurface, bezier::blossom_factors,
+    tolerance::EXACT_RELATIVE,
+};
+
+/// Of a control point over knots, the first one over others that it is made of, and by how much of each.
+pub(crate) type PointRow = (usize, Vec<f64>);
+
+/// By how much each control point of a curve counts in those of another one: of the one that is made and of the one that
+/// it is made of, with the factor. None unless the other one is the same curve, or a part of it, of the same degree with
+/// its parameter as it is, or stretched over the whole domain in either direction.
+///
+/// The first half of a parabola:
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, factors_of_same_curve, glam::DVec3};
+///
+/// let curve = NurbsCurve::bezier(&[DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0), DVec3::X * 2.0])?;
+/// let [half, _] = curve.split(0.5)?;
+/// let factors = factors_of_same_curve(&curve, &half).expect("a part");
+/// assert_eq!(factors, [(0, 0, 1.0), (1, 0, 0.5), (1, 1, 0.5), (2, 0, 0.25), (2, 1, 0.5), (2, 2, 0.25)]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[must_use]
+pub fn factors_of_same_curve(
+    given: &NurbsCurve,
+    made: &NurbsCurve,
+) -> Option<Vec<(usize, usize, f64)>> {
+    let (points, wanted) = (given.control_points(), made.control_points());
+    let allowed = EXACT_RELATIVE * size(points);
+    let is_made = |i: usize, (first, factors): &PointRow| {
+        let sum: DVec4 = points[*first..].iter().zip(factors).map(|(&own, &n)| own * n).sum();
+        (sum - wanted[i]).abs().max_element() <= allowed
+    };
+    ParameterMap::all(given.knots(), made.knots()).into_iter().flatten().find_map(|map| {
+        let row =
+            |i: usize| point_row(given.knots(), made.knots(), i, map).filter(|row| is_made(i, row));
+        let rows: Vec<PointRow> = (0..wanted.len()).map(row).collect::<Option<_>>()?;
+        let entries = rows.iter().enumerate().flat_map(|(i, (first, factors))| {
+            factors.iter().enumerate().map(move |(k, &factor)| (i, first + k, factor))
+        });
+        Some(entries.filter(|entry| entry.2 != 0.0).collect())
+    })
+}
+
+/// The same of surfaces, whose control points are counted row by row.
+///
+/// The half of a bilinear surface along u:
+///
+/// ```
+/// use virote_kernel::{Direction, Grid, NurbsSurface, factors_of_same_surface, glam::DVec3};
+///
+/// let net = Grid::from_fn(2, 2, |i, j| DVec3::new(i as f64, j as f64, (i * j) as f64));
+/// let surface = NurbsSurface::bezier(&net)?;
+/// let [half, _] = surface.split(Direction::U, 0.5)?;
+/// let factors = factors_of_same_surface(&surface, &half).expect("a part");
+/// let last: Vec<_> = factors.into_iter().filter(|entry| entry.0 == 3).collect();
+/// assert_eq!(last, [(3, 1, 0.5), (3, 3, 0.5)]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
+#[must_use]
+pub fn factors_of_same_surface(
+    given: &NurbsSurface,
+    made: &NurbsSurface,
+) -> Option<Vec<(usize, usize, f64)>> {
+    let (points, wanted) = (given.control_points(), made.control_points());
+    let allowed = EXACT_RELATIVE * size(points.as_slice());
+    let rows_of = |given: &KnotVector, made: &KnotVector| -> Vec<Vec<PointRow>> {
+        let rows = |map: ParameterMap| {
+            (0..made.n_points()).map(|i| point_row(given, made, i, map)).collect::<Option<_>>()
+        };
+        ParameterMap::all(given, made).into_iter().flatten().filter_map(rows).collect()
+    };
+    let all_u = rows_of(given.knots_u(), made.knots_u());
+    let all_v = rows_of(given.knots_v(), made.knots_v());
+    let pairs = all_u.iter().flat_map(|us| all_v.iter().map(move |vs| (us, vs)));
+    for (us, vs) in pairs {
+        let mut entries = Vec::new();
+        let is_same = us.iter().enumerate().all(|(i, (first_u, by_u))| {
+            vs.iter().enumerate().all(|(j, (first_v, by_v))| {
+                let (at, mut sum) = (i * wanted.n_columns() + j, DVec4::ZERO);
+                for (k, of_u) in by_u.iter().enumerate() {
+                    for (l, of_v) in by_v.iter().enumerate() {
+                        let (row, column, factor) = (first_u + k, first_v + l, of_u * of_v);
+                        if factor != 0.0 {
+                            sum += points.get(row, column) * factor;
+                            entries.push((at, row * points.n_columns() + column, factor));
+                        }
+                    }
+                }
+                (sum - wanted.get(i, j)).abs().max_element() <= allowed
+            })
+        });
+        if is_same {
+            return Some(entries);
+        }
+    }
+    None
+}
+
+fn size(points: &[DVec4]) -> f64 {
+    points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max)
+}
+
+/// The parameter of one curve by that of another, which is the same curve or a part of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ParameterMap {
+    /// Where the domain of the other goes; none where the parameter stays.
+    onto: Option<(Interval, [f64; 2])>,
+}
+
+impl ParameterMap {
+    /// The parameter as it is.
+    pub(crate) const SAME: Self = Self { onto: None };
+
+    /// Those that there may be: the parameter as it is, and the other domain stretched over the whole one.
+    fn all(given: &KnotVector, made: &KnotVector) -> [Option<Self>; 3] {
+        let (whole, own) = (given.domain(), made.domain());
+        let is_inside = [own.start(), own.end()].map(|end| whole.contains(given.snapped(end)));
+        let over = |ends| Some(Self { onto: Some((own, ends)) });
+        if given.degree() != made.degree() {
+            return [None; 3];
+        }
+        [
+            (is_inside == [true; 2]).then_some(Self::SAME),
+            if own == whole { None } else { over([whole.start(), whole.end()]) },
+            over([whole.end(), whole.start()]),
+        ]
+    }
+
+    fn at(self, t: f64) -> f64 {
+        match self.onto {
+            None => t,
+            Some((own, [start, end])) => {
+                let fraction = own.fraction_of(t);
+                start * (1.0 - fraction) + end * fraction
+            }
+        }
+    }
+}
+
+/// Of a control point over knots, the first one over those of the whole that it is made of, and by how much of each: the
+/// blossom at its p knots. None where no piece of it has a length.
+pub(crate) fn point_row(
+    given: &KnotVector,
+    made: &KnotVector,
+    i: usize,
+    map: ParameterMap,
+) -> Option<PointRow> {
+    let (all, p) = (made.as_slice(), made.degree());
+    let is_wide = |span: &usize| all[*span] < all[span + 1];
+    let support = (i.max(p)..=(i + p).min(made.n_points() - 1)).filter(is_wide);
+    let middle = support.min_by_key(|span| (2 * span).abs_diff(2 * i + p))?;
+    let span = given.span_at(map.at(made.span_interval(middle).at(0.5)));
+    let argument = |&t: &f64| if map.onto.is_none() { t } else { given.snapped(map.at(t)) };
+    let arguments: Vec<f64> = all[i + 1..=i + p].iter().map(argument).collect();
+    Some((span - p, blossom_factors(given, span, &arguments)))
+}
