@@ -8,6 +8,7 @@
 
 use super::{
     CARRIES_DERIVATIVES, Value,
+    held_numbers::{HeldNumbers, unit_step},
     numbers::{NumberSlopes, SparseNumbers, numbers},
     packed::Growth,
     variation::{
@@ -139,8 +140,8 @@ fn differences(
 pub(super) struct Differences<'a> {
     pub(super) args: &'a [Value],
     pub(super) base: Value,
-    pub(super) run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
-    pub(super) plain: Vec<f64>,
+    run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
+    plain: Vec<f64>,
 }
 
 /// The slopes along the growths, by variable.
@@ -155,16 +156,21 @@ fn along(lines: impl IntoIterator<Item = Growth>) -> Vec<(usize, SparseNumbers)>
 }
 
 /// How much all numbers grow over a step of a variable.
-pub(super) struct Line {
-    pub(super) variable: usize,
-    pub(super) step: f64,
-    pub(super) growth: Vec<f64>,
+struct Line {
+    variable: usize,
+    step: f64,
+    growth: Vec<f64>,
 }
 
 impl Line {
     fn grown(&self) -> Growth {
         Growth { variable: self.variable, step: self.step, growth: sparse(&self.growth) }
     }
+}
+
+/// A step halved so many times, in either sense.
+fn both_ways(unit: f64, halvings: i32) -> [f64; 2] {
+    [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings))
 }
 
 fn sparse(numbers: &[f64]) -> SparseNumbers {
@@ -184,13 +190,16 @@ impl<'a> Differences<'a> {
 
     /// By how much the numbers grow over some steps; none where there is no answer, and some error where
     /// it has another form.
-    pub(super) fn growth(
+    fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
+        self.growth_to(all_moved(self.args, steps))
+    }
+
+    /// The same to other arguments.
+    fn growth_to(
         &mut self,
-        steps: Steps<'_>,
+        args: Option<Vec<Value>>,
     ) -> std::result::Result<Vec<f64>, NoDerivative> {
-        let there = all_moved(self.args, steps)
-            .and_then(|args| (self.run)(&args).ok())
-            .ok_or(NoDerivative::NoAnswer)?;
+        let there = args.and_then(|args| (self.run)(&args).ok()).ok_or(NoDerivative::NoAnswer)?;
         if !are_alike(&self.base, &there) {
             return Err(NoDerivative::OtherForm);
         }
@@ -200,16 +209,33 @@ impl<'a> Differences<'a> {
         Ok(found)
     }
 
+    /// The first of some steps of plain arguments along a direction, in either sense, after which there is an answer, and the
+    /// growth over it; none where nothing moves.
+    pub(super) fn grown_along(
+        &mut self,
+        held: &HeldNumbers,
+        direction: &SparseNumbers,
+        halvings: &[i32],
+    ) -> Option<(f64, Vec<f64>)> {
+        // The slopes of all variables by all others may be more than there is room for.
+        if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
+            return None;
+        }
+        let unit = held.unit_step(direction)?;
+        halvings.iter().flat_map(|&halvings| both_ways(unit, halvings)).find_map(|step| {
+            let growth = self.growth_to(held.moved(direction, step));
+            Some((step, growth.ok()?))
+        })
+    }
+
     /// The step over which what moves with a variable moves by its own size; none where nothing does.
-    pub(super) fn unit_step(&self, variable: usize) -> Option<f64> {
+    fn unit_step(&self, variable: usize) -> Option<f64> {
         let all = self.args.iter().map(|arg| sizes(arg, variable));
         let [slope, size] = all.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
         if slope == 0.0 {
             return None;
         }
-        // A power of two, so that a step costs no digits of its own.
-        let ratio = if size == 0.0 { slope.recip() } else { size / slope };
-        Some(libm::exp2(libm::log2(ratio).round()))
+        Some(unit_step(slope, size))
     }
 
     /// The growths over the first steps of a variable that have any.
@@ -220,8 +246,7 @@ impl<'a> Differences<'a> {
     ) -> std::result::Result<Vec<Line>, NoDerivative> {
         let Some(unit) = self.unit_step(variable) else { return Ok(Vec::new()) };
         let (mut found, mut missing) = (Vec::new(), NoDerivative::NoAnswer);
-        let signed = |halvings: i32| [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings));
-        for step in HALVINGS.into_iter().flat_map(signed) {
+        for step in HALVINGS.into_iter().flat_map(|halvings| both_ways(unit, halvings)) {
             match self.growth(&[(variable, step)]) {
                 Ok(growth) => found.push(Line { variable, step, growth }),
                 Err(reason) => missing = reason,
@@ -265,10 +290,7 @@ impl<'a> Differences<'a> {
     }
 
     /// The growth over a step of each variable.
-    pub(super) fn lines(
-        &mut self,
-        n_variables: usize,
-    ) -> std::result::Result<Vec<Line>, NoDerivative> {
+    fn lines(&mut self, n_variables: usize) -> std::result::Result<Vec<Line>, NoDerivative> {
         let mut lines = Vec::new();
         for variable in 0..n_variables {
             // The slopes of all variables by all others may be more than there is room for.

@@ -1,21 +1,18 @@
 //! The points that move in the arguments of an operation: control points of curves and surfaces, and those of lists.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{
-    Value,
-    affine::all_moved,
-    control_points::slopes_by_variable,
-    numbers::{NumberPlaces, NumberSlopes, SparseNumbers, numbers},
-    packed::MovingNumbers,
-    variation::Variables,
+    Value, affine::all_moved, control_points::slopes_by_variable, held_numbers::HeldNumbers,
+    numbers::SparseNumbers, packed::MovingNumbers, variation::Variables,
 };
 use crate::kernel::{Curve, Jet, PointSlopes, Surface};
 
 /// The points that move in the arguments of an operation, where nothing else does.
 pub(super) struct GivenPoints {
-    pub(super) held: Vec<Value>,
-    pub(super) places: NumberPlaces,
+    pub(super) held: Arc<HeldNumbers>,
     /// The slopes of the points of each net that moves.
     pub(super) sets: Vec<PointSlopes>,
     /// Which of all nets each is.
@@ -39,28 +36,27 @@ pub(super) struct GivenPoint {
 impl GivenPoints {
     /// None where anything else varies, or lists of points alone: what is made of these is cheap beside finding a matrix.
     pub(super) fn new(args: &[Value], n_variables: usize) -> Option<Self> {
-        let held = all_moved(args, &[])?;
-        let places = NumberPlaces::of(&held);
         let mut walk = GivenWalk { n_variables, n_nets: 0, has_splines: false, sets: Vec::new() };
         args.iter().try_for_each(|arg| walk.add(arg))?;
         if !walk.has_splines {
             return None;
         }
+        let held = HeldNumbers::new(all_moved(args, &[])?);
         let (mut moving, mut n_before) = (Vec::new(), 0);
         for (set, (net, slopes)) in walk.sets.iter().enumerate() {
-            let first = places.nets[*net].first;
+            let first = held.places.nets[*net].first;
             let all = slopes.moving_coordinates()?;
             let own = all.iter().enumerate().filter(|(_, is_along)| is_along.contains(&true));
             moving.extend(own.map(|(idx, &is_along)| GivenPoint {
                 point: n_before + idx,
                 set,
                 is_along,
-                numbers: vec![places.points[first + idx]],
+                numbers: vec![held.places.points[first + idx]],
             }));
             n_before += all.len();
         }
         let (nets, sets) = walk.sets.into_iter().unzip();
-        let mut own = Self { held, places, sets, nets, moving };
+        let mut own = Self { held: Arc::new(held), sets, nets, moving };
         if 1 < own.sets.len() {
             own.join();
         }
@@ -77,8 +73,7 @@ impl GivenPoints {
 
     /// Lets points at one place that move alike move as one: curves that meet go apart where the end of one moves alone.
     fn join(&mut self) {
-        let mut all = Vec::new();
-        self.held.iter().for_each(|arg| numbers(arg, &mut all));
+        let all = &self.held.all;
         let place = |own: &GivenPoint| [0, 1, 2].map(|axis| all[own.numbers[0] + axis].to_bits());
         let mut order: Vec<usize> = (0..self.moving.len()).collect();
         order.sort_by_key(|&idx| (place(&self.moving[idx]), idx));
@@ -118,15 +113,14 @@ impl GivenPoints {
     pub(super) fn along(&self, axis: usize, points: &[GivenPoint]) -> MovingNumbers {
         let of = |own: &GivenPoint| own.numbers.iter().map(|first| (first + axis, 1.0)).collect();
         let slopes = points.iter().map(of).collect();
-        MovingNumbers::of_slopes(self.held.clone(), self.places.clone(), slopes)
+        MovingNumbers::of_slopes(&self.held, slopes)
     }
 
-    /// The arguments with one variable, along which each of some points goes so far for a step of one; and how far each
-    /// of all goes.
+    /// The direction in which each of some points goes so far for a step of one; and how far each of all goes.
     pub(super) fn at_once(
         &self,
         step: impl Fn(usize, &GivenPoint) -> DVec3,
-    ) -> Option<(Vec<Value>, Vec<DVec3>)> {
+    ) -> (SparseNumbers, Vec<DVec3>) {
         let n_points: usize = self.sets.iter().map(PointSlopes::n_points).sum();
         let (mut steps, mut all) = (vec![DVec3::ZERO; n_points], SparseNumbers::new());
         for (idx, own) in self.moving.iter().enumerate() {
@@ -137,10 +131,7 @@ impl GivenPoints {
             }
         }
         all.sort_by_key(|(at, _)| *at);
-        let by_variable = [(0, all)];
-        let mut seeds = NumberSlopes::new(1, &by_variable);
-        let args: Option<Vec<Value>> = self.held.iter().map(|arg| seeds.value(arg)).collect();
-        Some((args?, steps))
+        (all, steps)
     }
 }
 

@@ -72,7 +72,7 @@ impl Differences<'_> {
                 // Variables that move a point each take no more steps themselves.
                 MapWay::Steps { .. } if given.sets.iter().all(PointSlopes::move_one_each) => break,
                 MapWay::Steps { steps: Way::TurnedApart, .. }
-                    if !was_in_part || !given.places.has_lists() =>
+                    if !was_in_part || !given.held.places.has_lists() =>
                 {
                     continue;
                 }
@@ -167,9 +167,9 @@ impl Differences<'_> {
         let of = |idx: usize, own: &GivenPoint| {
             if is_wanted(own) { own.own_step(idx) } else { DVec3::ZERO }
         };
-        let Some((args, directions)) = given.at_once(of) else { return false };
-        let mut at_once = self.over(&args);
-        let Some((step, found)) = at_once.grown(&HALVINGS[2..]) else { return false };
+        let (direction, directions) = given.at_once(of);
+        let grown = self.grown_along(&given.held, &direction, &HALVINGS[2..]);
+        let Some((step, found)) = grown else { return false };
         let mut expected = vec![0.0; found.len()];
         let steps: Vec<DVec3> = directions.iter().map(|direction| *direction * step).collect();
         let grown = map.grown(&steps);
@@ -178,22 +178,7 @@ impl Differences<'_> {
                 *expected = grown[*point][*axis];
             }
         }
-        at_once.is_near(&found, &expected)
-    }
-
-    /// The same answer from arguments with other variables.
-    pub(super) fn over<'o>(&'o mut self, args: &'o [Value]) -> Differences<'o> {
-        let (base, plain) = (self.base.clone(), self.plain.clone());
-        Differences { args, base, run: &mut *self.run, plain }
-    }
-
-    /// The first of some steps of the only variable after which there is an answer, and the growth over it.
-    pub(super) fn grown(&mut self, halvings: &[i32]) -> Option<(f64, Vec<f64>)> {
-        let unit = self.unit_step(0)?;
-        halvings.iter().find_map(|halvings| {
-            let step = libm::ldexp(unit, -halvings);
-            Some((step, self.growth(&[(0, step)]).ok()?))
-        })
+        self.is_near(&found, &expected)
     }
 }
 

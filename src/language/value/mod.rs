@@ -24,6 +24,7 @@ mod from_value;
 mod from_variant;
 mod function;
 mod given_points;
+mod held_numbers;
 mod into_value;
 mod json;
 mod key;

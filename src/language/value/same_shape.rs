@@ -14,7 +14,7 @@ impl Differences<'_> {
     ) -> Option<PointFactors> {
         let (mut made, mut held) = (Vec::new(), Vec::new());
         shapes(&self.base, &mut made);
-        given.held.iter().for_each(|arg| shapes(arg, &mut held));
+        given.held.args.iter().for_each(|arg| shapes(arg, &mut held));
         let firsts = given.sets.iter().scan(0, |end, own| {
             let first = *end;
             *end += PointSlopes::n_points(own);

@@ -48,8 +48,8 @@ impl Differences<'_> {
         let unit = DVec3::AXES[axis];
         let step =
             |_, other: &GivenPoint| if other.point == middle.point { unit } else { DVec3::ZERO };
-        let (args, _) = given.at_once(step)?;
-        let (_, growth) = self.over(&args).grown(&HALVINGS[..1])?;
+        let (direction, _) = given.at_once(step);
+        let (_, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
         let grown: Vec<DVec3> = vectors(&growth, answer).map(|(_, own)| own).collect();
         let n_grown = grown.iter().filter(|own| **own != DVec3::ZERO).count();
         let mut across = grown.iter().map(|own| own - *own * unit);
@@ -68,8 +68,8 @@ impl Differences<'_> {
         let step = |idx: usize, own: &GivenPoint| {
             if is_moving(own) { DVec3::new(1.0, (idx + 1) as f64 / n, 0.0) } else { DVec3::ZERO }
         };
-        let (args, _) = given.at_once(step)?;
-        let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
+        let (direction, _) = given.at_once(step);
+        let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
         let mut factors = Vec::new();
         for (made, own) in vectors(&growth, answer).filter(|(_, own)| 0.0 < own.x.abs()) {
             let point = selected_point(given.moving.as_slice(), own.y / own.x)?;
@@ -95,18 +95,18 @@ impl Differences<'_> {
             if !given.moving.iter().any(|own| along(own, axis) != DVec3::ZERO) {
                 continue;
             }
-            let (args, _) = given.at_once(|_, own| along(own, axis))?;
-            let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
+            let (direction, _) = given.at_once(|_, own| along(own, axis));
+            let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
             for (made, own) in vectors(&growth, answer) {
                 *matrices[made].col_mut(axis) = own / step;
                 sums[made] += own / step;
             }
         }
-        let (args, _) = given.at_once(|idx, own| {
+        let (direction, _) = given.at_once(|idx, own| {
             let all: DVec3 = (0..3).map(|axis| along(own, axis)).sum();
             all * ((idx + 1) as f64 / n)
-        })?;
-        let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
+        });
+        let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
         let mut factors = Vec::new();
         for (made, own) in vectors(&growth, answer).filter(|(made, _)| sums[*made] != DVec3::ZERO) {
             let share = (own / step).dot(sums[made]) / sums[made].length_squared();
