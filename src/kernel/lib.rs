@@ -250,7 +250,7 @@ pub use trim::{
     pieces_facing_unlike, tessellate_together,
 };
 pub use varied::{
-    PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion,
-    VariedSolid, VariedSurface, VariedWall, factors_of_same_curve, factors_of_same_surface,
-    stay_closed,
+    PointEntries, PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve,
+    VariedRegion, VariedSolid, VariedSurface, VariedWall, factors_of_same_curve,
+    factors_of_same_surface, stay_closed,
 };

@@ -132,6 +132,23 @@ impl Interpolator {
         by_value
     }
 
+    /// The same of a spline with tangents at its ends, and how the sum grows with each of these; none of others.
+    pub(crate) fn growths_with_tangents(&self, factors: Vec<f64>) -> Option<(Vec<f64>, [f64; 2])> {
+        let FactoredEquations::WithEnds(_, [EndRow::Along(_), EndRow::Along(_)]) = &self.equations
+        else {
+            return None;
+        };
+        let (mut by_value, ends) = self.transposed(factors);
+        let mut by_tangent = [0.0; 2];
+        for (is_last, (row, growth)) in [false, true].into_iter().zip(ends) {
+            add_end_values(row, is_last, growth, &mut by_value);
+            if let EndRow::Along(third) = row {
+                by_tangent[usize::from(is_last)] = growth * third;
+            }
+        }
+        Some((by_value, by_tangent))
+    }
+
     /// How a sum of control points with these factors grows with each value by its own equation, and with the right-hand
     /// sides of the conditions at both ends.
     pub(super) fn transposed(&self, mut factors: Vec<f64>) -> (Vec<f64>, Vec<(EndRow, f64)>) {

@@ -5,8 +5,10 @@
 
 use glam::DVec4;
 
+use super::PointEntries;
+
 use crate::{
-    Interval, KnotVector, NurbsCurve, NurbsSurface, bezier::blossom_factors,
+    Direction, Interval, KnotVector, NurbsCurve, NurbsSurface, bezier::blossom_factors,
     tolerance::EXACT_RELATIVE,
 };
 
@@ -29,25 +31,48 @@ pub(crate) type PointRow = (usize, Vec<f64>);
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[must_use]
-pub fn factors_of_same_curve(
-    given: &NurbsCurve,
-    made: &NurbsCurve,
-) -> Option<Vec<(usize, usize, f64)>> {
+pub fn factors_of_same_curve(given: &NurbsCurve, made: &NurbsCurve) -> Option<PointEntries> {
+    let maps = ParameterMap::all(given.knots(), made.knots()).into_iter().flatten();
+    let rows = maps.filter_map(|map| curve_rows(given, made, map)).next()?;
+    let entries = rows.iter().enumerate().flat_map(|(i, (first, factors))| {
+        factors.iter().enumerate().map(move |(k, &factor)| (i, first + k, factor))
+    });
+    Some(entries.filter(|entry| entry.2 != 0.0).collect())
+}
+
+/// Whether a curve is another one with the same parameter, and of the same degree, as far as control points tell.
+pub(super) fn is_same_curve(given: &NurbsCurve, made: &NurbsCurve) -> bool {
+    given.domain() == made.domain()
+        && given.degree() == made.degree()
+        && curve_rows(given, made, ParameterMap::SAME).is_some()
+}
+
+/// The same of surfaces.
+pub(super) fn is_same_surface(given: &NurbsSurface, made: &NurbsSurface) -> bool {
+    let pairs = [Direction::U, Direction::V].map(|along| [given.knots(along), made.knots(along)]);
+    let is_on = |[given, made]: &[&KnotVector; 2]| {
+        given.domain() == made.domain() && given.degree() == made.degree()
+    };
+    let rows = pairs.map(|[given, made]| all_rows(given, made, ParameterMap::SAME));
+    let [Some(us), Some(vs)] = rows else { return false };
+    pairs.iter().all(is_on) && surface_entries(given, made, [&us, &vs]).is_some()
+}
+
+/// The control points of a curve by those of another one; none unless they make them.
+fn curve_rows(given: &NurbsCurve, made: &NurbsCurve, map: ParameterMap) -> Option<Vec<PointRow>> {
     let (points, wanted) = (given.control_points(), made.control_points());
     let allowed = EXACT_RELATIVE * size(points);
     let is_made = |i: usize, (first, factors): &PointRow| {
         let sum: DVec4 = points[*first..].iter().zip(factors).map(|(&own, &n)| own * n).sum();
         (sum - wanted[i]).abs().max_element() <= allowed
     };
-    ParameterMap::all(given.knots(), made.knots()).into_iter().flatten().find_map(|map| {
-        let row =
-            |i: usize| point_row(given.knots(), made.knots(), i, map).filter(|row| is_made(i, row));
-        let rows: Vec<PointRow> = (0..wanted.len()).map(row).collect::<Option<_>>()?;
-        let entries = rows.iter().enumerate().flat_map(|(i, (first, factors))| {
-            factors.iter().enumerate().map(move |(k, &factor)| (i, first + k, factor))
-        });
-        Some(entries.filter(|entry| entry.2 != 0.0).collect())
-    })
+    let row =
+        |i: usize| point_row(given.knots(), made.knots(), i, map).filter(|row| is_made(i, row));
+    (0..wanted.len()).map(row).collect()
+}
+
+fn all_rows(given: &KnotVector, made: &KnotVector, map: ParameterMap) -> Option<Vec<PointRow>> {
+    (0..made.n_points()).map(|i| point_row(given, made, i, map)).collect()
 }
 
 /// The same of surfaces, whose control points are counted row by row.
@@ -66,43 +91,44 @@ pub fn factors_of_same_curve(
 /// # Ok::<(), virote_kernel::GeomError>(())
 /// ```
 #[must_use]
-pub fn factors_of_same_surface(
+pub fn factors_of_same_surface(given: &NurbsSurface, made: &NurbsSurface) -> Option<PointEntries> {
+    let rows_of = |along: Direction| -> Vec<Vec<PointRow>> {
+        let (given, made) = (given.knots(along), made.knots(along));
+        let maps = ParameterMap::all(given, made).into_iter().flatten();
+        maps.filter_map(|map| all_rows(given, made, map)).collect()
+    };
+    let [all_u, all_v] = [Direction::U, Direction::V].map(rows_of);
+    let mut pairs = all_u.iter().flat_map(|us| all_v.iter().map(move |vs| [&us[..], &vs[..]]));
+    pairs.find_map(|rows| surface_entries(given, made, rows))
+}
+
+/// The control points of a surface by those of another one; none unless they make them.
+fn surface_entries(
     given: &NurbsSurface,
     made: &NurbsSurface,
-) -> Option<Vec<(usize, usize, f64)>> {
+    [us, vs]: [&[PointRow]; 2],
+) -> Option<PointEntries> {
     let (points, wanted) = (given.control_points(), made.control_points());
     let allowed = EXACT_RELATIVE * size(points.as_slice());
-    let rows_of = |given: &KnotVector, made: &KnotVector| -> Vec<Vec<PointRow>> {
-        let rows = |map: ParameterMap| {
-            (0..made.n_points()).map(|i| point_row(given, made, i, map)).collect::<Option<_>>()
-        };
-        ParameterMap::all(given, made).into_iter().flatten().filter_map(rows).collect()
-    };
-    let all_u = rows_of(given.knots_u(), made.knots_u());
-    let all_v = rows_of(given.knots_v(), made.knots_v());
-    let pairs = all_u.iter().flat_map(|us| all_v.iter().map(move |vs| (us, vs)));
-    for (us, vs) in pairs {
-        let mut entries = Vec::new();
-        let is_same = us.iter().enumerate().all(|(i, (first_u, by_u))| {
-            vs.iter().enumerate().all(|(j, (first_v, by_v))| {
-                let (at, mut sum) = (i * wanted.n_columns() + j, DVec4::ZERO);
-                for (k, of_u) in by_u.iter().enumerate() {
-                    for (l, of_v) in by_v.iter().enumerate() {
-                        let (row, column, factor) = (first_u + k, first_v + l, of_u * of_v);
-                        if factor != 0.0 {
-                            sum += points.get(row, column) * factor;
-                            entries.push((at, row * points.n_columns() + column, factor));
-                        }
+    let mut entries = PointEntries::new();
+    for (i, (first_u, by_u)) in us.iter().enumerate() {
+        for (j, (first_v, by_v)) in vs.iter().enumerate() {
+            let (at, mut sum) = (i * wanted.n_columns() + j, DVec4::ZERO);
+            for (k, of_u) in by_u.iter().enumerate() {
+                for (l, of_v) in by_v.iter().enumerate() {
+                    let (row, column, factor) = (first_u + k, first_v + l, of_u * of_v);
+                    if factor != 0.0 {
+                        sum += points.get(row, column) * factor;
+                        entries.push((at, row * points.n_columns() + column, factor));
                     }
                 }
-                (sum - wanted.get(i, j)).abs().max_element() <= allowed
-            })
-        });
-        if is_same {
-            return Some(entries);
+            }
+            if allowed < (sum - wanted.get(i, j)).abs().max_element() {
+                return None;
+            }
         }
     }
-    None
+    Some(entries)
 }
 
 fn size(points: &[DVec4]) -> f64 {

@@ -21,7 +21,7 @@ use crate::{
         work::{self, End},
     },
     value::{
-        Call, Ctx, FormalParameter, Function, Mistakes, Op, Value, assign, choose, pointed,
+        Call, Ctx, FormalParameter, Function, Making, Mistakes, Op, Value, assign, choose, pointed,
         turned_around,
     },
 };
@@ -152,6 +152,7 @@ impl Machine<'_> {
             span,
             sources: env.sources,
             caller: self,
+            making: Making::Unasked,
         };
         let foreign = first.filter(|first| op.is_foreign_to(&first.value)).cloned();
         let run = || meter.lend(|| run(op, &mut ctx, call));

@@ -15,7 +15,11 @@ use super::{
         Steps, Variables, are_alike, has_moving_knots, looked_at, moved, sizes, with_form_of,
     },
 };
-use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
+use crate::{
+    diag::Result,
+    kernel::{PointEntries, tolerance::AFFINE_RELATIVE},
+    limits::work,
+};
 
 /// Steps that are tried, as the size of what moves halved so many times: the first may leave what the
 /// operation takes.
@@ -87,12 +91,25 @@ pub fn through_affine(
     args: &[Value],
     run: &mut dyn FnMut(&[Value]) -> Result<Value>,
 ) -> Result<std::result::Result<Value, NoDerivative>> {
+    through_told(args, run, &|| None)
+}
+
+/// [`through_affine`] of an operation that may tell, when it has answered once, how its answer is made of points: see
+/// [`Ctx::made_by`](super::Ctx::made_by).
+///
+/// # Errors
+/// Those of the operation at the plain arguments.
+pub fn through_told(
+    args: &[Value],
+    run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+    told: &dyn Fn() -> Option<PointEntries>,
+) -> Result<std::result::Result<Value, NoDerivative>> {
     if args.iter().any(has_moving_knots) {
         return Ok(Err(NoDerivative::MovingKnots));
     }
     let Some(held) = all_moved(args, &[]) else { return Ok(Err(NoDerivative::NoAnswer)) };
     let base = run(&held)?;
-    Ok(differences(args, base, run))
+    Ok(differences(args, base, run, told()))
 }
 
 /// [`through_affine`] of an operation whose answer depends on the shape of its arguments alone: their knots
@@ -113,7 +130,7 @@ pub fn through_shape(
     let Some(base) = held.and_then(|held| run(&held).ok()) else {
         return Ok(Err(NoDerivative::NoAnswer));
     };
-    Ok(differences(args, base, run)
+    Ok(differences(args, base, run, None)
         .and_then(|found| with_form_of(&found, &answer).ok_or(NoDerivative::MovingKnots)))
 }
 
@@ -127,12 +144,15 @@ fn differences(
     args: &[Value],
     base: Value,
     run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+    told: Option<PointEntries>,
 ) -> std::result::Result<Value, NoDerivative> {
     let variables = args.iter().map(Variables::of).find(|found| *found != Variables::None);
     match variables.unwrap_or(Variables::None) {
         Variables::None => Ok(base),
         Variables::HigherOrder => Err(NoDerivative::HigherOrder),
-        Variables::FirstOrder(n_variables) => Differences::new(args, base, run).slopes(n_variables),
+        Variables::FirstOrder(n_variables) => {
+            Differences::new(args, base, run).slopes(n_variables, told)
+        }
     }
 }
 
@@ -259,8 +279,12 @@ impl<'a> Differences<'a> {
     }
 
     /// The answer with its derivatives: first as on straight lines, then as on parabolas.
-    fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
-        if let Some(found) = self.through_points(n_variables) {
+    fn slopes(
+        mut self,
+        n_variables: usize,
+        told: Option<PointEntries>,
+    ) -> std::result::Result<Value, NoDerivative> {
+        if let Some(found) = self.through_points(n_variables, told) {
             return Ok(found);
         }
         let by_variable = match self.together(n_variables) {

@@ -8,7 +8,7 @@ use super::{
     Value, affine::all_moved, control_points::slopes_by_variable, held_numbers::HeldNumbers,
     numbers::SparseNumbers, packed::MovingNumbers, variation::Variables,
 };
-use crate::kernel::{Curve, Jet, PointSlopes, Surface};
+use crate::kernel::{Curve, Jet, PointEntries, PointFactors, PointSlopes, Surface};
 
 /// The points that move in the arguments of an operation, where nothing else does.
 pub(super) struct GivenPoints {
@@ -17,6 +17,8 @@ pub(super) struct GivenPoints {
     pub(super) sets: Vec<PointSlopes>,
     /// Which of all nets each is.
     pub(super) nets: Vec<usize>,
+    /// Whether control points of curves or surfaces move.
+    pub(super) has_splines: bool,
     pub(super) moving: Vec<GivenPoint>,
 }
 
@@ -34,11 +36,12 @@ pub(super) struct GivenPoint {
 }
 
 impl GivenPoints {
-    /// None where anything else varies, or lists of points alone: what is made of these is cheap beside finding a matrix.
-    pub(super) fn new(args: &[Value], n_variables: usize) -> Option<Self> {
+    /// None where anything else varies, or, unless it is known what is made of them, lists of points alone: that is cheap beside
+    /// finding a matrix.
+    pub(super) fn new(args: &[Value], n_variables: usize, is_known: bool) -> Option<Self> {
         let mut walk = GivenWalk { n_variables, n_nets: 0, has_splines: false, sets: Vec::new() };
         args.iter().try_for_each(|arg| walk.add(arg))?;
-        if !walk.has_splines {
+        if !walk.has_splines && !is_known {
             return None;
         }
         let held = HeldNumbers::new(all_moved(args, &[])?);
@@ -55,12 +58,28 @@ impl GivenPoints {
             }));
             n_before += all.len();
         }
+        let has_splines = walk.has_splines;
         let (nets, sets) = walk.sets.into_iter().unzip();
-        let mut own = Self { held: Arc::new(held), sets, nets, moving };
+        let mut own = Self { held: Arc::new(held), sets, nets, has_splines, moving };
         if 1 < own.sets.len() {
             own.join();
         }
         Some(own)
+    }
+
+    /// A matrix by all points of the arguments as one by those of the nets that move.
+    pub(super) fn of_sets(&self, entries: &PointEntries) -> PointFactors {
+        let mut places = vec![None; self.held.places.points.len()];
+        let mut n_before = 0;
+        for (set, net) in self.sets.iter().zip(&self.nets) {
+            let (first, n_points) = (self.held.places.nets[*net].first, set.n_points());
+            (0..n_points).for_each(|idx| places[first + idx] = Some(n_before + idx));
+            n_before += n_points;
+        }
+        let of = |&(made, point, factor): &(usize, usize, f64)| {
+            Some((made, (*places.get(point)?)?, factor))
+        };
+        PointFactors::Alike(entries.iter().filter_map(of).collect())
     }
 
     /// By how many variables points move.

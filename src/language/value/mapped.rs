@@ -19,14 +19,15 @@ use super::{
     packed::{Growth, Pack},
 };
 use crate::kernel::{
-    Curve, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
+    Curve, PointEntries, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
 };
 
 /// Fewer variables cost less by themselves.
 pub(super) const FEWEST: usize = 4;
 
 /// How a matrix is looked for: the way that costs least comes first.
-const WAYS: [MapWay; 5] = [
+const WAYS: [MapWay; 6] = [
+    MapWay::Told,
     MapWay::SameShape,
     MapWay::Selected,
     MapWay::Steps { steps: Way::Turned(Reach::Wide), is_mixed: false },
@@ -36,6 +37,8 @@ const WAYS: [MapWay; 5] = [
 
 #[derive(Clone, Copy)]
 enum MapWay {
+    /// The operation tells it.
+    Told,
     /// Each curve or surface of the answer is one of the given ones, on other knots or a part of it.
     SameShape,
     /// Each point of the answer moves with one of the given points.
@@ -59,8 +62,12 @@ pub(super) struct Question<'g> {
 impl Differences<'_> {
     /// The answer with slopes through the matrix of its points by those given; none where something else moves, or the
     /// answer is not linear in them, or steps of variables cost less.
-    pub(super) fn through_points(&mut self, n_variables: usize) -> Option<Value> {
-        let given = &GivenPoints::new(self.args, n_variables)?;
+    pub(super) fn through_points(
+        &mut self,
+        n_variables: usize,
+        told: Option<PointEntries>,
+    ) -> Option<Value> {
+        let given = &GivenPoints::new(self.args, n_variables, told.is_some())?;
         let n_moving = given.n_variables();
         if n_moving < FEWEST {
             return None;
@@ -77,6 +84,8 @@ impl Differences<'_> {
                     continue;
                 }
                 MapWay::Steps { steps, is_mixed } => self.factors(&question, steps, is_mixed),
+                MapWay::Told => told.as_ref().map(|told| (given.of_sets(told), false)),
+                MapWay::SameShape | MapWay::Selected if !given.has_splines => break,
                 MapWay::SameShape => self.same_shape(&question).map(|factors| (factors, false)),
                 MapWay::Selected => self.selected(&question).map(|factors| (factors, false)),
             };

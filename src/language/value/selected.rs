@@ -10,16 +10,29 @@ use super::{
 };
 use crate::kernel::{PointFactors, tolerance::LAST_BIT};
 
+/// What one of the given points reaches.
+#[derive(Clone, Copy, Debug)]
+enum OwnReach {
+    /// No point of the answer, as what is inside of a net does not move its corners.
+    Nothing,
+    /// So few that each point may have its own; and whether it moves them along other coordinates than its own.
+    Own { is_mixed: bool },
+}
+
 /// Which given points move.
 type IsMoving<'m> = &'m dyn Fn(&GivenPoint) -> bool;
 
 impl Differences<'_> {
     /// The matrix of an answer each of whose points moves with one given point, or with one of each set.
     pub(super) fn selected(&mut self, question: &Question<'_>) -> Option<PointFactors> {
+        let reach = self.reach_of_one(question)?;
         if let Some(found) = self.selected_alike(question, &|_| true) {
             return Some(PointFactors::Alike(found));
         }
-        let is_mixed = self.does_one_mix(question)?;
+        let is_mixed = match reach {
+            OwnReach::Own { is_mixed } => is_mixed,
+            OwnReach::Nothing => return None,
+        };
         let n_sets = question.given.sets.len();
         let by_set = (n_sets <= question.n_moving / FEWEST).then_some(0..n_sets)?;
         let mut all = Vec::new();
@@ -38,11 +51,10 @@ impl Differences<'_> {
         Some(PointFactors::Mixed(all))
     }
 
-    /// Whether a point in the midst of the first set mixes coordinates where it moves along one; none unless it moves so
-    /// few points of the answer that each may have its own.
-    fn does_one_mix(&mut self, Question { given, answer, .. }: &Question<'_>) -> Option<bool> {
-        let own: Vec<&GivenPoint> =
-            given.moving.iter().filter(|own| own.set == given.moving[0].set).collect();
+    /// What a point in the midst of the first set reaches; none where that is so much that not each has its own.
+    fn reach_of_one(&mut self, Question { given, answer, .. }: &Question<'_>) -> Option<OwnReach> {
+        let set = given.moving.first()?.set;
+        let own: Vec<&GivenPoint> = given.moving.iter().filter(|own| own.set == set).collect();
         let middle = own[own.len() / 2];
         let axis = middle.is_along.iter().position(|is_along| *is_along)?;
         let unit = DVec3::AXES[axis];
@@ -50,11 +62,16 @@ impl Differences<'_> {
             |_, other: &GivenPoint| if other.point == middle.point { unit } else { DVec3::ZERO };
         let (direction, _) = given.at_once(step);
         let (_, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
-        let grown: Vec<DVec3> = vectors(&growth, answer).map(|(_, own)| own).collect();
-        let n_grown = grown.iter().filter(|own| **own != DVec3::ZERO).count();
-        let mut across = grown.iter().map(|own| own - *own * unit);
-        (0 < n_grown && n_grown * own.len() <= grown.len())
-            .then(|| across.any(|own| own != DVec3::ZERO))
+        let grown: Vec<DVec3> = vectors(&growth, answer)
+            .map(|(_, own)| own)
+            .filter(|own| *own != DVec3::ZERO)
+            .collect();
+        if grown.is_empty() {
+            return Some(OwnReach::Nothing);
+        }
+        let is_mixed = grown.iter().any(|own| own - *own * unit != DVec3::ZERO);
+        let has_each_its_own = grown.len() * own.len() <= answer.points.len();
+        has_each_its_own.then_some(OwnReach::Own { is_mixed })
     }
 
     /// Of what does the same to each coordinate: all points are moved along the first coordinate alike, and along the

@@ -150,21 +150,11 @@ impl NurbsCurve {
             return Err(CountError::TooFewPoints { got: 0, needed: 1 }.into());
         };
         let knots = KnotVector::bezier(degree)?.on(domain);
-        let binomials = binomials(degree);
-        let point = |n_at_end: usize| {
-            // symmetric[i] sums the products of i of the arguments.
-            let mut symmetric = vec![0.0; degree + 1];
-            symmetric[0] = 1.0;
-            for k in 0..degree {
-                let argument = if k < n_at_end { domain.end() } else { domain.start() };
-                for i in (1..=k + 1).rev() {
-                    symmetric[i] += argument * symmetric[i - 1];
-                }
-            }
-            let terms = coefficients.iter().zip(symmetric.iter().zip(&binomials));
-            terms.fold(DVec3::ZERO, |sum, (&c, (&e, &binomial))| sum + c * (e / binomial))
+        let point = |weights: Vec<f64>| {
+            let terms = coefficients.iter().zip(weights);
+            terms.fold(DVec3::ZERO, |sum, (&c, weight)| sum + c * weight)
         };
-        let points: Vec<DVec3> = (0..=degree).map(point).collect();
+        let points: Vec<DVec3> = power_weights(degree + 1, domain).into_iter().map(point).collect();
         Self::polynomial(knots, &points)
     }
 
@@ -185,6 +175,35 @@ impl NurbsCurve {
         homogeneous::check_finite(&finite)?;
         Ok(coefficients)
     }
+}
+
+/// By how much each of so many coefficients of powers counts in each Bézier point over a domain: the blossom of a power is
+/// the mean of the products of as many of the arguments.
+///
+/// Ramshaw, *Blossoms are polar forms* (1989).
+pub(crate) fn power_weights(n_coefficients: usize, domain: Interval) -> Vec<Vec<f64>> {
+    let degree = n_coefficients.saturating_sub(1);
+    let binomials = binomials(degree);
+    // symmetric[i] sums the products of i of the arguments.
+    let with = |symmetric: &mut [f64], n_before: usize, argument: f64| {
+        for i in (1..=n_before + 1).rev() {
+            symmetric[i] += argument * symmetric[i - 1];
+        }
+    };
+    let mut of_ends = vec![0.0; degree + 1];
+    of_ends[0] = 1.0;
+    let row = |n_at_end: usize| {
+        let mut symmetric = of_ends.clone();
+        // An argument of zero adds nothing.
+        if domain.start() != 0.0 {
+            (n_at_end..degree).for_each(|k| with(&mut symmetric, k, domain.start()));
+        }
+        if n_at_end < degree {
+            with(&mut of_ends, n_at_end, domain.end());
+        }
+        symmetric.iter().zip(&binomials).map(|(e, binomial)| e / binomial).collect()
+    };
+    (0..n_coefficients).map(row).collect()
 }
 
 /// Coefficients of the powers of a parameter, lowest first, of a Bézier form over a domain.
