@@ -16,7 +16,7 @@ use crate::{
 pub(crate) type PointRow = (usize, Vec<f64>);
 
 /// By how much each control point of a curve counts in those of another one: of the one that is made and of the one that
-/// it is made of, with the factor. None unless the other one is the same curve, or a part of it, of the same degree with
+/// it is made of, with the factor. None unless the other one is the same curve, or a part of it, of the same degree or a higher one, with
 /// its parameter as it is, or stretched over the whole domain in either direction.
 ///
 /// The first half of a parabola:
@@ -151,7 +151,7 @@ impl ParameterMap {
         let (whole, own) = (given.domain(), made.domain());
         let is_inside = [own.start(), own.end()].map(|end| whole.contains(given.snapped(end)));
         let over = |ends| Some(Self { onto: Some((own, ends)) });
-        if given.degree() != made.degree() {
+        if made.degree() < given.degree() {
             return [None; 3];
         }
         [
@@ -180,12 +180,47 @@ pub(crate) fn point_row(
     i: usize,
     map: ParameterMap,
 ) -> Option<PointRow> {
-    let (all, p) = (made.as_slice(), made.degree());
+    let (all, q) = (made.as_slice(), made.degree());
     let is_wide = |span: &usize| all[*span] < all[span + 1];
-    let support = (i.max(p)..=(i + p).min(made.n_points() - 1)).filter(is_wide);
-    let middle = support.min_by_key(|span| (2 * span).abs_diff(2 * i + p))?;
-    let span = given.span_at(map.at(made.span_interval(middle).at(0.5)));
+    let support = (i.max(q)..=(i + q).min(made.n_points() - 1)).filter(is_wide);
+    let middle = support.min_by_key(|span| (2 * span).abs_diff(2 * i + q))?;
+    let center = map.at(made.span_interval(middle).at(0.5));
+    let span = given.span_at(center);
     let argument = |&t: &f64| if map.onto.is_none() { t } else { given.snapped(map.at(t)) };
-    let arguments: Vec<f64> = all[i + 1..=i + p].iter().map(argument).collect();
-    Some((span - p, blossom_factors(given, span, &arguments)))
+    let mut arguments: Vec<f64> = all[i + 1..=i + q].iter().map(argument).collect();
+    let factors = if q == given.degree() {
+        // At the ends of the span one point goes on alone, which costs least where that is done first.
+        let ends = [given.as_slice()[span], given.as_slice()[span + 1]];
+        arguments.sort_by_key(|t| ends.contains(t));
+        blossom_factors(given, span, &arguments)
+    } else {
+        elevated_factors(given, (span, center), &arguments)
+    };
+    Some((span - given.degree(), factors))
+}
+
+/// By how much each of the control points that act over a span counts in the blossom of the piece as one of a higher degree
+/// q, at as many arguments: Σₖ eₖ(δ)/(q choose k)·C⁽ᵏ⁾/k!, where eₖ is the k-th elementary symmetric polynomial of their
+/// distances from a place.
+///
+/// Ramshaw, *Blossoms are polar forms* (1989).
+fn elevated_factors(knots: &KnotVector, (span, at): (usize, f64), arguments: &[f64]) -> Vec<f64> {
+    let p = knots.degree();
+    let mut symmetric = vec![0.0; p + 1];
+    symmetric[0] = 1.0;
+    for argument in arguments {
+        for k in (1..=p).rev() {
+            symmetric[k] += (argument - at) * symmetric[k - 1];
+        }
+    }
+    let derivatives = knots.basis_derivatives_on(span, at, p);
+    let mut factors = vec![0.0; p + 1];
+    // k!·(q choose k) = q·(q − 1)⋯(q − k + 1).
+    let mut falling = 1.0;
+    for (k, sum) in symmetric.into_iter().enumerate() {
+        let share = sum / falling;
+        factors.iter_mut().zip(derivatives.row(k)).for_each(|(own, n)| *own += share * n);
+        falling *= (arguments.len() - k) as f64;
+    }
+    factors
 }

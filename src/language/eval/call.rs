@@ -41,7 +41,8 @@ pub(super) fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
     let is_well = match &value {
         Value::List(items) => match items.numbers() {
             Some((values, _)) => values.iter().all(|value| value.is_finite()),
-            None => items.iter().all(is_finite),
+            // What is made when it is asked for is known to be.
+            None => items.is_made() || items.iter().all(is_finite),
         },
         Value::Record(record) => record.iter().all(|(_, value)| is_finite(value)),
         value => is_finite(value),

@@ -188,11 +188,6 @@ impl Line {
     }
 }
 
-/// A step halved so many times, in either sense.
-fn both_ways(unit: f64, halvings: i32) -> [f64; 2] {
-    [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings))
-}
-
 fn sparse(numbers: &[f64]) -> SparseNumbers {
     numbers.iter().copied().enumerate().filter(|(_, number)| *number != 0.0).collect()
 }
@@ -229,20 +224,21 @@ impl<'a> Differences<'a> {
         Ok(found)
     }
 
-    /// The first of some steps of plain arguments along a direction, in either sense, after which there is an answer, and the
+    /// The first of some steps of plain arguments along a direction, or against it, after which there is an answer, and the
     /// growth over it; none where nothing moves.
     pub(super) fn grown_along(
         &mut self,
         held: &HeldNumbers,
         direction: &SparseNumbers,
-        halvings: &[i32],
+        (sign, halvings): (f64, &[i32]),
     ) -> Option<(f64, Vec<f64>)> {
         // The slopes of all variables by all others may be more than there is room for.
         if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
             return None;
         }
         let unit = held.unit_step(direction)?;
-        halvings.iter().flat_map(|&halvings| both_ways(unit, halvings)).find_map(|step| {
+        halvings.iter().find_map(|halvings| {
+            let step = libm::ldexp(sign * unit, -halvings);
             let growth = self.growth_to(held.moved(direction, step));
             Some((step, growth.ok()?))
         })
@@ -266,7 +262,8 @@ impl<'a> Differences<'a> {
     ) -> std::result::Result<Vec<Line>, NoDerivative> {
         let Some(unit) = self.unit_step(variable) else { return Ok(Vec::new()) };
         let (mut found, mut missing) = (Vec::new(), NoDerivative::NoAnswer);
-        for step in HALVINGS.into_iter().flat_map(|halvings| both_ways(unit, halvings)) {
+        let signed = |halvings: i32| [1.0, -1.0].map(|sign| libm::ldexp(sign * unit, -halvings));
+        for step in HALVINGS.into_iter().flat_map(signed) {
             match self.growth(&[(variable, step)]) {
                 Ok(growth) => found.push(Line { variable, step, growth }),
                 Err(reason) => missing = reason,

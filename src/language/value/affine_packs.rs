@@ -150,7 +150,8 @@ impl Differences<'_> {
             if direction.is_empty() {
                 return Some(Vec::new());
             }
-            let (step, growth) = self.grown_along(moving.held(), &direction, &HALVINGS)?;
+            let mut grown = |sign| self.grown_along(moving.held(), &direction, (sign, &HALVINGS));
+            let (step, growth) = grown(1.0).or_else(|| grown(-1.0))?;
             Some(pack.taken_apart((step, &growth), answer))
         };
         packs.iter().map(&mut apart).collect()

@@ -11,7 +11,7 @@ use std::{ops::Range, sync::Arc};
 use glam::{DMat3, DVec3};
 
 use super::{
-    IntoValue, Record, Value, Vector,
+    IntoValue, List, Record, Value, Vector,
     affine::{Differences, HALVINGS},
     affine_packs::{Packed, Reach, Way},
     given_points::{GivenPoint, GivenPoints},
@@ -94,7 +94,8 @@ impl Differences<'_> {
             let n_made = question.answer.points.len();
             let map = Arc::new(PointMap::new(given.sets.clone(), n_made, factors).ok()?);
             if self.is_borne_out(&question, &map) {
-                return Made { map, n_points: 0 }.value(&self.base);
+                let is_finite = map.has_finite_slopes();
+                return Made { map, is_finite, n_points: 0 }.value(&self.base);
             }
         }
         None
@@ -177,7 +178,7 @@ impl Differences<'_> {
             if is_wanted(own) { own.own_step(idx) } else { DVec3::ZERO }
         };
         let (direction, directions) = given.at_once(of);
-        let grown = self.grown_along(&given.held, &direction, &HALVINGS[2..]);
+        let grown = self.grown_along(&given.held, &direction, (1.0, &HALVINGS[2..]));
         let Some((step, found)) = grown else { return false };
         let mut expected = vec![0.0; found.len()];
         let steps: Vec<DVec3> = directions.iter().map(|direction| *direction * step).collect();
@@ -216,6 +217,8 @@ fn add(
 /// An answer whose points a matrix makes, one behind the other.
 struct Made {
     map: Arc<PointMap>,
+    /// Whether all slopes are numbers, so that they need not be made to know that.
+    is_finite: bool,
     /// How many points and other numbers have been told.
     n_points: usize,
 }
@@ -230,6 +233,21 @@ impl Made {
     fn slopes(&mut self, n_points: usize) -> PointSlopes {
         let made = self.next(n_points);
         self.map.slopes_of(made)
+    }
+
+    /// Points with their slopes, each made when it is asked for.
+    fn points(&mut self, items: &List) -> List {
+        let (from, plain) = (self.next(items.len()).start, items.clone());
+        let map = Arc::clone(&self.map);
+        let point = move |idx: usize| match &plain[idx] {
+            Value::Point(own) => match map.point(from + idx, *own) {
+                Ok(Some(jets)) => Vector::Jets(Box::new(jets)).into_value(),
+                Ok(None) => Value::Point(*own),
+                Err(_) => unreachable!("slopes that are known to be finite"),
+            },
+            other => other.clone(),
+        };
+        List::made(items.len(), Box::new(point))
     }
 
     /// A value with the slopes of its points; none where they are no numbers.
@@ -256,6 +274,9 @@ impl Made {
                 }
                 Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?))
             }
+            Value::List(items) if self.is_finite && are_points(items) => {
+                Value::List(self.points(items))
+            }
             Value::List(items) => {
                 let items: Option<Vec<Value>> =
                     items.values().map(|item| self.value(&item)).collect();
@@ -272,4 +293,8 @@ impl Made {
             }
         })
     }
+}
+
+fn are_points(items: &List) -> bool {
+    items.iter().all(|item| matches!(item, Value::Point(_)))
 }

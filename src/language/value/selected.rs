@@ -26,13 +26,13 @@ impl Differences<'_> {
     /// The matrix of an answer each of whose points moves with one given point, or with one of each set.
     pub(super) fn selected(&mut self, question: &Question<'_>) -> Option<PointFactors> {
         let reach = self.reach_of_one(question)?;
-        if let Some(found) = self.selected_alike(question, &|_| true) {
+        let is_mixed = matches!(reach, OwnReach::Own { is_mixed: true });
+        if !is_mixed && let Some(found) = self.selected_alike(question, &|_| true) {
             return Some(PointFactors::Alike(found));
         }
-        let is_mixed = match reach {
-            OwnReach::Own { is_mixed } => is_mixed,
-            OwnReach::Nothing => return None,
-        };
+        if matches!(reach, OwnReach::Nothing) {
+            return None;
+        }
         let n_sets = question.given.sets.len();
         let by_set = (n_sets <= question.n_moving / FEWEST).then_some(0..n_sets)?;
         let mut all = Vec::new();
@@ -61,7 +61,7 @@ impl Differences<'_> {
         let step =
             |_, other: &GivenPoint| if other.point == middle.point { unit } else { DVec3::ZERO };
         let (direction, _) = given.at_once(step);
-        let (_, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
+        let (_, growth) = self.grown_along(&given.held, &direction, (1.0, &HALVINGS[..1]))?;
         let grown: Vec<DVec3> = vectors(&growth, answer)
             .map(|(_, own)| own)
             .filter(|own| *own != DVec3::ZERO)
@@ -86,7 +86,7 @@ impl Differences<'_> {
             if is_moving(own) { DVec3::new(1.0, (idx + 1) as f64 / n, 0.0) } else { DVec3::ZERO }
         };
         let (direction, _) = given.at_once(step);
-        let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
+        let (step, growth) = self.grown_along(&given.held, &direction, (1.0, &HALVINGS[..1]))?;
         let mut factors = Vec::new();
         for (made, own) in vectors(&growth, answer).filter(|(_, own)| 0.0 < own.x.abs()) {
             let point = selected_point(given.moving.as_slice(), own.y / own.x)?;
@@ -113,7 +113,8 @@ impl Differences<'_> {
                 continue;
             }
             let (direction, _) = given.at_once(|_, own| along(own, axis));
-            let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
+            let (step, growth) =
+                self.grown_along(&given.held, &direction, (1.0, &HALVINGS[..1]))?;
             for (made, own) in vectors(&growth, answer) {
                 *matrices[made].col_mut(axis) = own / step;
                 sums[made] += own / step;
@@ -123,7 +124,7 @@ impl Differences<'_> {
             let all: DVec3 = (0..3).map(|axis| along(own, axis)).sum();
             all * ((idx + 1) as f64 / n)
         });
-        let (step, growth) = self.grown_along(&given.held, &direction, &HALVINGS[..1])?;
+        let (step, growth) = self.grown_along(&given.held, &direction, (1.0, &HALVINGS[..1]))?;
         let mut factors = Vec::new();
         for (made, own) in vectors(&growth, answer).filter(|(made, _)| sums[*made] != DVec3::ZERO) {
             let share = (own / step).dot(sums[made]) / sums[made].length_squared();
