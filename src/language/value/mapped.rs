@@ -94,8 +94,7 @@ impl Differences<'_> {
             let n_made = question.answer.points.len();
             let map = Arc::new(PointMap::new(given.sets.clone(), n_made, factors).ok()?);
             if self.is_borne_out(&question, &map) {
-                let is_finite = map.has_finite_slopes();
-                return Made { map, is_finite, n_points: 0 }.value(&self.base);
+                return Made { map, is_finite: None, n_points: 0 }.value(&self.base);
             }
         }
         None
@@ -217,8 +216,8 @@ fn add(
 /// An answer whose points a matrix makes, one behind the other.
 struct Made {
     map: Arc<PointMap>,
-    /// Whether all slopes are numbers, so that they need not be made to know that.
-    is_finite: bool,
+    /// Whether all slopes are numbers, so that points need not be made to know that; where lists of them were met.
+    is_finite: Option<bool>,
     /// How many points and other numbers have been told.
     n_points: usize,
 }
@@ -233,6 +232,10 @@ impl Made {
     fn slopes(&mut self, n_points: usize) -> PointSlopes {
         let made = self.next(n_points);
         self.map.slopes_of(made)
+    }
+
+    fn has_finite_slopes(&mut self) -> bool {
+        *self.is_finite.get_or_insert_with(|| self.map.has_finite_slopes())
     }
 
     /// Points with their slopes, each made when it is asked for.
@@ -274,7 +277,7 @@ impl Made {
                 }
                 Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?))
             }
-            Value::List(items) if self.is_finite && are_points(items) => {
+            Value::List(items) if are_points(items) && self.has_finite_slopes() => {
                 Value::List(self.points(items))
             }
             Value::List(items) => {
