@@ -224,3 +224,101 @@ fn elevated_factors(knots: &KnotVector, (span, at): (usize, f64), arguments: &[f
     }
     factors
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec4;
+
+    use super::{factors_of_same_curve, factors_of_same_surface, is_same_curve};
+    use crate::{
+        Direction, Grid, Interval, KnotVector, NurbsCurve, NurbsSurface, PointEntries,
+        make_compatible,
+    };
+
+    fn point(i: usize, shift: f64) -> DVec4 {
+        let t = i as f64 + shift;
+        DVec4::new(libm::sin(3.0 * t), libm::cos(2.0 * t), t, 1.0 + 0.2 * libm::sin(t))
+    }
+
+    fn curve(shift: f64) -> NurbsCurve {
+        let knots = vec![0.0, 0.0, 0.0, 0.0, 0.3, 0.5, 0.5, 0.9, 1.0, 1.0, 1.0, 1.0];
+        let knots = KnotVector::new(3, knots).unwrap();
+        NurbsCurve::new(knots, (0..8).map(|i| point(i, shift)).collect()).unwrap()
+    }
+
+    /// The entries, found at one curve or surface, must make of another one on its knots what the operation does.
+    #[track_caller]
+    fn check(entries: Option<PointEntries>, given: &[DVec4], made: &[DVec4]) {
+        let mut sums = vec![DVec4::ZERO; made.len()];
+        for (i, j, factor) in entries.expect("the same shape") {
+            sums[i] += given[j] * factor;
+        }
+        for (sum, made) in sums.iter().zip(made) {
+            assert!((sum - made).abs().max_element() < 1e-12, "{sum} is not {made}");
+        }
+    }
+
+    #[test]
+    fn what_is_made_of_one_curve_tells_what_is_made_of_others() {
+        let interval = |start, end| Interval::new(start, end).unwrap();
+        let edits: [&dyn Fn(&NurbsCurve) -> NurbsCurve; 7] = [
+            &|own| own.insert_knots(&[0.2, 0.5, 0.7]).unwrap(),
+            &|own| own.split(0.4).unwrap()[0].clone(),
+            &|own| own.split(0.5).unwrap()[1].clone(),
+            &|own| own.trimmed(interval(0.1, 0.95)).unwrap(),
+            &NurbsCurve::reversed,
+            &|own| own.reparametrized(interval(-2.0, 7.0)),
+            &|own| own.elevate_degree(5).unwrap(),
+        ];
+        let (one, other) = (curve(0.0), curve(0.4));
+        for edit in edits {
+            let entries = factors_of_same_curve(&one, &edit(&one));
+            check(entries, other.control_points(), edit(&other).control_points());
+        }
+        let flat = NurbsCurve::new(
+            KnotVector::uniform(3, 8).unwrap(),
+            (0..8).map(|i| point(i, 0.0)).collect(),
+        );
+        let flat = flat.unwrap();
+        check(
+            factors_of_same_curve(&flat, &flat.clamped()),
+            flat.control_points(),
+            flat.clamped().control_points(),
+        );
+    }
+
+    #[test]
+    fn what_is_no_such_part_has_no_entries() {
+        let (one, other) = (curve(0.0), curve(0.4));
+        assert!(factors_of_same_curve(&one, &other).is_none());
+        assert!(factors_of_same_curve(&one.elevate_degree(4).unwrap(), &one).is_none());
+        assert!(is_same_curve(&one, &one.insert_knots(&[0.6]).unwrap()));
+        assert!(!is_same_curve(&one, &one.reversed()));
+        assert!(!is_same_curve(&one, &one.split(0.5).unwrap()[0]));
+        let both = make_compatible(&[one.clone(), other]).unwrap();
+        assert!(factors_of_same_curve(&both[0], &both[1]).is_none());
+    }
+
+    #[test]
+    fn surfaces_are_edited_along_both_directions() {
+        let surface = |shift: f64| {
+            let net = Grid::from_fn(8, 4, |i, j| point(4 * i + j, shift));
+            let knots = KnotVector::bezier(3).unwrap();
+            NurbsSurface::new(curve(0.0).knots().clone(), knots, net).unwrap()
+        };
+        let edit = |own: &NurbsSurface| {
+            let [_, half] = own.split(Direction::U, 0.4).unwrap();
+            half.elevate_degree(Direction::V, 4).unwrap().reversed(Direction::U)
+        };
+        let (one, other) = (surface(0.0), surface(0.4));
+        let half = |own: &NurbsSurface| own.split(Direction::V, 0.3).unwrap()[1].clone();
+        check(
+            factors_of_same_surface(&one, &half(&one)),
+            other.control_points().as_slice(),
+            half(&other).control_points().as_slice(),
+        );
+        // A part that is turned around is neither the surface as it is nor all of it.
+        assert!(factors_of_same_surface(&one, &edit(&one)).is_none());
+        assert!(factors_of_same_surface(&one, &other).is_none());
+    }
+}
