@@ -7,6 +7,17 @@ use crate::{
 };
 
 /// Entries of a matrix by which points are made of others.
+///
+/// The middle of a line, which both ends make alike:
+///
+/// ```
+/// use virote_kernel::{NurbsCurve, PointEntries, glam::DVec3};
+///
+/// let line = NurbsCurve::line(DVec3::ZERO, DVec3::X)?;
+/// let middle: PointEntries = line.factors_of_places(&[0.5]);
+/// assert_eq!(middle, [(0, 0, 0.5), (0, 1, 0.5)]);
+/// # Ok::<(), virote_kernel::GeomError>(())
+/// ```
 pub type PointEntries = Vec<(usize, usize, f64)>;
 
 impl NurbsCurve {
