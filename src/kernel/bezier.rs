@@ -37,6 +37,9 @@ pub(crate) fn blossom_factors(knots: &KnotVector, span: usize, arguments: &[f64]
     factors[p] = 1.0;
     for (level, &t) in arguments.iter().enumerate().rev() {
         for r in level + 1..=p {
+            if factors[r] == 0.0 {
+                continue;
+            }
             let (left, right) = (all[span + r - p], all[span + r - level]);
             let fraction = (t - left) / (right - left);
             factors[r - 1] += factors[r] * (1.0 - fraction);

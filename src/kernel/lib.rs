@@ -44,7 +44,7 @@
 //! - Area, volume, centroid, inertia: [`Surface::area`], [`area_mass`], [`volume_mass`], [`principal_axes`].
 //! - Places of note: [`NurbsCurve::inflections`], [`NurbsCurve::vertices`], [`NurbsCurve::extrema`], [`NurbsCurve::corners`],
 //!   [`NurbsCurve::cusps`]; [`Surface::umbilics`], [`Surface::defects`].
-//! - How measures go with control points that vary: [`VariedCurve`], [`VariedSurface`] of [`PointSlopes`]; those of points made of others: [`PointMap`].
+//! - How measures go with control points that vary: [`VariedCurve`], [`VariedSurface`] of [`PointSlopes`]; those of points made of others: [`PointMap`], as of the same curve on other knots: [`factors_of_same_curve`], [`factors_of_same_surface`].
 //! - Joints: [`Curve::continuity_with`], [`Surface::continuity_with`], [`Curve::continuity`].
 //! - What it is: [`NurbsCurve::analytic`], [`NurbsCurve::conic_kind`], [`NurbsSurface::analytic`] with [`NurbsSurface::analytic_chart`], [`NurbsSurface::quadric`],
 //!   [`Curve::is_planar`], [`Surface::is_developable`].
@@ -250,6 +250,7 @@ pub use trim::{
     pieces_facing_unlike, tessellate_together,
 };
 pub use varied::{
-    PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve, VariedRegion,
-    VariedSolid, VariedSurface, VariedWall, stay_closed,
+    PointEntries, PointFactors, PointMap, PointSlopes, RegionWay, SurfaceIntegral, VariedCurve,
+    VariedRegion, VariedSolid, VariedSurface, VariedWall, factors_of_same_curve,
+    factors_of_same_surface, stay_closed,
 };

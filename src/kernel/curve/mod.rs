@@ -20,7 +20,7 @@ use super::{
     WeightError, frame::norm, homogeneous, lazy::Lazy, nearest::ClosestPointTree, positive,
 };
 
-pub(crate) use construction::chain::powers;
+pub(crate) use construction::chain::{power_weights, powers};
 pub use construction::circle::CircleForm;
 pub use construction::conic::ConicKind;
 pub(crate) use construction::hermite::blossom_weights;

@@ -16,9 +16,11 @@ use super::{
 };
 use crate::{
     KnotVector, PointSlopes,
-    bezier::blossom_factors,
     fit::equation::Equation,
-    varied::{AllSlopes, SlopeWays},
+    varied::{
+        AllSlopes, SlopeWays,
+        same_shape::{ParameterMap, point_row},
+    },
 };
 
 /// The slopes of the control points of a spline over the knots that stand twice inside, from those of its points: its
@@ -130,6 +132,23 @@ impl Interpolator {
         by_value
     }
 
+    /// The same of a spline with tangents at its ends, and how the sum grows with each of these; none of others.
+    pub(crate) fn growths_with_tangents(&self, factors: Vec<f64>) -> Option<(Vec<f64>, [f64; 2])> {
+        let FactoredEquations::WithEnds(_, [EndRow::Along(_), EndRow::Along(_)]) = &self.equations
+        else {
+            return None;
+        };
+        let (mut by_value, ends) = self.transposed(factors);
+        let mut by_tangent = [0.0; 2];
+        for (is_last, (row, growth)) in [false, true].into_iter().zip(ends) {
+            add_end_values(row, is_last, growth, &mut by_value);
+            if let EndRow::Along(third) = row {
+                by_tangent[usize::from(is_last)] = growth * third;
+            }
+        }
+        Some((by_value, by_tangent))
+    }
+
     /// How a sum of control points with these factors grows with each value by its own equation, and with the right-hand
     /// sides of the conditions at both ends.
     pub(super) fn transposed(&self, mut factors: Vec<f64>) -> (Vec<f64>, Vec<(EndRow, f64)>) {
@@ -155,7 +174,9 @@ impl MovingSpline<'_> {
     pub(super) fn growths(&self, factors: &[f64]) -> (Vec<f64>, Vec<DVec4>) {
         let mut own = vec![0.0; self.points.len()];
         for (i, &factor) in factors.iter().enumerate().filter(|(_, factor)| 0.0 < factor.abs()) {
-            let (first, parts) = self.point_of_twice(i);
+            let twice = self.by_knots.knots();
+            let row = point_row(&self.fit.knots, twice, i, ParameterMap::SAME);
+            let Some((first, parts)) = row else { continue };
             own[first..].iter_mut().zip(parts).for_each(|(sum, part)| *sum += factor * part);
         }
         let (mut by_value, ends) = self.fit.transposed(own);
@@ -171,18 +192,6 @@ impl MovingSpline<'_> {
         }
         self.add_knot_growths(&by_twice, &mut by_parameter);
         (by_value, by_parameter)
-    }
-
-    /// Of a control point over the knots that stand twice, the first of its own that it is made of, and by how much of
-    /// each: the blossom at p consecutive knots.
-    fn point_of_twice(&self, i: usize) -> (usize, Vec<f64>) {
-        let (own, twice) = (&self.fit.knots, self.by_knots.knots());
-        let (all, p) = (twice.as_slice(), twice.degree());
-        let is_wide = |span: &usize| all[*span] < all[span + 1];
-        let support = (i.max(p)..=(i + p).min(twice.n_points() - 1)).filter(is_wide);
-        let middle = support.min_by_key(|span| (2 * span).abs_diff(2 * i + p));
-        let span = own.span_at(middle.map_or(all[i], |span| twice.span_interval(span).at(0.5)));
-        (span - p, blossom_factors(own, span, &all[i + 1..=i + p]))
     }
 
     /// Adds what the right-hand side of an end's condition grows by with each parameter, less what the knots do to its

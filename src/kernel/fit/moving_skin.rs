@@ -13,8 +13,8 @@ use super::{
     section_steps::SectionSteps,
 };
 use crate::{
-    GeomError, Grid, KnotVector, NurbsSurface, PointSlopes, SectionParameters, VariedCurve,
-    VariedSurface,
+    GeomError, Grid, KnotVector, NurbsCurve, NurbsSurface, PointFactors, PointMap, PointSlopes,
+    SectionParameters, VariedCurve, VariedSurface, factors_of_same_curve, make_compatible,
     varied::{
         SlopeWays,
         knots::{simple_inner, with_knots_twice},
@@ -24,7 +24,7 @@ use crate::{
 impl VariedSurface {
     /// A skin of this degree along v whose sections stand at parameters, with the slopes that it has by its sections: by
     /// a rule these move with them, by none they stay. None where the skin is not made so of them: of sections that are
-    /// rational or on other knots; and where all slopes cost less at once.
+    /// rational, or by a rule on other knots; and where all slopes cost less at once.
     ///
     /// # Errors
     /// As for [`Interpolator::new`].
@@ -56,8 +56,25 @@ impl VariedSurface {
         (degree, parameters, rule): (usize, &[f64], Option<SectionParameters>),
         sections: &[Arc<VariedCurve>],
     ) -> Result<Option<Self>, GeomError> {
-        let Some(given) = GivenSections::new(sections, skin) else { return Ok(None) };
         let fit = Interpolator::new(parameters, degree, Ends::Averaged)?;
+        let Some(given) = GivenSections::new(sections, skin) else {
+            return match rule {
+                None => through_refined(skin, fit, parameters, sections),
+                Some(_) => Ok(None),
+            };
+        };
+        if !given.are_asked_rather(sections.len()) {
+            return Ok(None);
+        }
+        Self::through_given(skin, (fit, parameters, rule), given)
+    }
+
+    /// The same of sections on the knots of the skin.
+    fn through_given(
+        skin: &Arc<NurbsSurface>,
+        (fit, parameters, rule): (Interpolator, &[f64], Option<SectionParameters>),
+        given: GivenSections,
+    ) -> Result<Option<Self>, GeomError> {
         let knots = skin.knots_v();
         if fit.knots() != knots || !given.are_at(parameters, skin) {
             return Ok(None);
@@ -91,6 +108,49 @@ impl VariedSurface {
         let slopes = PointSlopes::asked(n_variables, n_points, variables, ways);
         Ok(Some(Self::new(surface, slopes)?.known_of_moving_knots(Arc::clone(skin))))
     }
+}
+
+/// A skin whose sections stand at parameters that stay, each on knots of its own, which may move: through the same sections
+/// on common knots that do not. None where that is another surface, or sections are rational.
+fn through_refined(
+    skin: &Arc<NurbsSurface>,
+    fit: Interpolator,
+    parameters: &[f64],
+    sections: &[Arc<VariedCurve>],
+) -> Result<Option<VariedSurface>, GeomError> {
+    if skin.is_rational() || sections.iter().any(|section| section.curve().is_rational()) {
+        return Ok(None);
+    }
+    let curves: Vec<NurbsCurve> =
+        sections.iter().map(|section| NurbsCurve::clone(section.curve())).collect();
+    let mut refined = Vec::with_capacity(sections.len());
+    let mut lines = Vec::with_capacity(sections.len());
+    for (section, curve) in sections.iter().zip(make_compatible(&curves)?) {
+        let curve = NurbsCurve::polynomial(curve.knots().clone(), &curve.points())?;
+        let Some(entries) = factors_of_same_curve(section.curve(), &curve) else {
+            return Ok(None);
+        };
+        let n_points = curve.control_points().len();
+        let given = vec![section.slopes().clone()];
+        let map = Arc::new(PointMap::new(given, n_points, PointFactors::Alike(entries))?);
+        lines.push(curve.control_points().to_vec());
+        refined.push(Arc::new(VariedCurve::new(Arc::new(curve), map.slopes_of(0..n_points))?));
+    }
+    let Some(first) = refined.first() else { return Ok(None) };
+    let knots = first.curve().knots().clone();
+    let line = |i: usize| {
+        let values: Vec<DVec4> = lines.iter().map(|points| points[i]).collect();
+        fit.through(&values)
+    };
+    let net: Vec<Vec<DVec4>> = (0..knots.n_points()).map(line).collect::<Result<_, _>>()?;
+    let polynomial = |line: Vec<DVec4>| -> Vec<DVec4> {
+        line.into_iter().map(|point| point.truncate().extend(1.0)).collect()
+    };
+    let net = Grid::from_rows(net.into_iter().map(polynomial).collect())?;
+    let own = Arc::new(NurbsSurface::new(knots, fit.knots().clone(), net)?);
+    let Some(given) = GivenSections::new(&refined, &own) else { return Ok(None) };
+    let varied = VariedSurface::through_given(&own, (fit, parameters, None), given)?;
+    Ok(varied.and_then(|varied| varied.of_moving_knots(Arc::clone(skin))))
 }
 
 /// The skin with each inner knot along v twice; none where these do not stand once.
@@ -144,8 +204,12 @@ impl GivenSections {
         let point =
             |section: &Arc<VariedCurve>, line: usize| section.curve().control_points()[line];
         let line = |line: usize| sections.iter().map(|section| point(section, line)).collect();
-        let own = Self { n_variables, lines: (0..n_lines).map(line).collect(), moving };
-        PointSlopes::are_asked_of(n_lines * sections.len(), own.moving.len()).then_some(own)
+        Some(Self { n_variables, lines: (0..n_lines).map(line).collect(), moving })
+    }
+
+    /// Whether slopes of the lines through so many sections cost less one by one.
+    fn are_asked_rather(&self, n_sections: usize) -> bool {
+        PointSlopes::are_asked_of(self.lines.len() * n_sections, self.moving.len())
     }
 
     fn variables(&self) -> Vec<usize> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{PointSlopes, orders::Orders, rows::VariableRows};
+use super::{PointSlopes, orders::Orders, rows::VariableRows, same_shape::is_same_curve};
 use crate::{
     GeomError, Grid, Jet, LocalError, NurbsCurve, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -58,7 +58,8 @@ impl VariedCurve {
     /// The same as the form of a curve whose own knots move; none unless both are one curve.
     #[must_use]
     pub fn of_moving_knots(self, given: Arc<NurbsCurve>) -> Option<Self> {
-        is_same(&self.curve, &given).then(|| self.known_of_moving_knots(given))
+        let is_one = is_same_curve(&given, &self.curve);
+        (is_one || is_same(&self.curve, &given)).then(|| self.known_of_moving_knots(given))
     }
 
     /// The same as the form of a curve whose own knots move, which it is known to be.

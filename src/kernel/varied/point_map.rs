@@ -160,6 +160,20 @@ impl PointMap {
         PointSlopes::asked(self.n_variables, n_points, variables, ways)
     }
 
+    /// Whether all slopes are numbers, whichever are asked for.
+    #[must_use]
+    pub fn has_finite_slopes(&self) -> bool {
+        let factors = match &self.rows {
+            MapRows::Alike(rows) => rows.entries.iter().map(|own| own.1.abs()).sum(),
+            MapRows::Mixed(rows) => {
+                let size = |own: &DMat3| own.to_cols_array().iter().map(|own| own.abs()).sum();
+                rows.entries.iter().map(|(_, own)| -> f64 { size(own) }).sum::<f64>()
+            }
+        };
+        let slopes = self.by_given().iter().flatten().map(|(_, slope)| slope.abs().element_sum());
+        (factors * slopes.sum::<f64>()).is_finite()
+    }
+
     /// A point that is made, with its value; none if it grows with nothing.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use std::{ops::Range, sync::Arc};
 
 use glam::DVec3;
 
-use super::{PointSlopes, orders::Orders, rows::VariableRows};
+use super::{PointSlopes, orders::Orders, rows::VariableRows, same_shape::is_same_surface};
 use crate::{
     CountError, GeomError, Grid, Jet, KnotVector, LocalError, NurbsSurface, Side, homogeneous,
     tolerance::{EXACT_RELATIVE, LAST_BIT},
@@ -61,7 +61,8 @@ impl VariedSurface {
     pub fn of_moving_knots(self, given: Arc<NurbsSurface>) -> Option<Self> {
         let is_it = !has_other_knots(&self.surface, &given)
             && self.surface.control_points() == given.control_points();
-        (is_it || is_same(&self.surface, &given)).then(|| self.known_of_moving_knots(given))
+        (is_it || is_same_surface(&given, &self.surface) || is_same(&self.surface, &given))
+            .then(|| self.known_of_moving_knots(given))
     }
 
     /// The same as the form of a surface whose own knots move, which it is known to be.

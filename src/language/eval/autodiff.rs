@@ -3,14 +3,14 @@
 //! The point and every mistake are those of the plain parameters; the derivatives come on top. What
 //! operators do to derivatives stands in the table of operators.
 
-use std::sync::Arc;
+use std::{cell::Cell, sync::Arc};
 
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
-    kernel::{Interval, Surface},
+    kernel::{Interval, PointEntries, Surface},
     value::{
-        At, CARRIES_DERIVATIVES, Call, Ctx, FromValue, IntoValue, Op, Real, RealCurve, RealSurface,
-        Settling, Value, looked_at, through_affine, through_shape, varies, with_form_of,
+        At, CARRIES_DERIVATIVES, Call, Ctx, FromValue, IntoValue, Making, Op, Real, RealCurve,
+        RealSurface, Settling, Value, looked_at, through_shape, through_told, varies, with_form_of,
         with_slopes_of_points,
     },
 };
@@ -155,28 +155,49 @@ fn arguments(call: &mut Call) -> impl Iterator<Item = &mut Spanned<Value>> {
 fn beside(op: &'static Op, is_of_shape: bool, ctx: &mut Ctx<'_>, mut call: Call) -> Result<Value> {
     let args: Vec<Value> = arguments(&mut call).map(|arg| arg.value.clone()).collect();
     let mut n_warnings = None;
-    through((&format!("`{}`", op.name), is_of_shape), call.span, &args, |args| {
+    let told = Cell::new(None);
+    let span = call.span;
+    let run = |args: &[Value]| {
         let mut call = call.clone();
         arguments(&mut call).zip(args).for_each(|(place, value)| place.value = value.clone());
+        // Only of the arguments themselves is it asked how its answer is made, and told what it says.
+        if n_warnings.is_none() {
+            ctx.making = Making::Asked;
+        }
         let found = (op.run)(ctx, call);
-        // Only what it says of the arguments themselves is told.
+        if let Making::Told(entries) = std::mem::take(&mut ctx.making) {
+            told.set(Some(entries));
+        }
         let n = *n_warnings.get_or_insert_with(|| ctx.caller.n_warnings());
         ctx.caller.keep_warnings(n);
         found
-    })
+    };
+    let name = format!("`{}`", op.name);
+    through_kind((&name, is_of_shape), span, &args, run, &|| told.take())
 }
 
 /// What something answers to values that carry derivatives, with them; whether it depends on the shape of
 /// curves alone is told with its name.
 pub(super) fn through(
+    kind: (&str, bool),
+    span: Span,
+    args: &[Value],
+    run: impl FnMut(&[Value]) -> Result<Value>,
+) -> Result<Value> {
+    through_kind(kind, span, args, run, &|| None)
+}
+
+/// The same of something that may tell how its answer is made of points.
+fn through_kind(
     (what, is_of_shape): (&str, bool),
     span: Span,
     args: &[Value],
     mut run: impl FnMut(&[Value]) -> Result<Value>,
+    told: &dyn Fn() -> Option<PointEntries>,
 ) -> Result<Value> {
     let found = match is_of_shape {
         true => through_shape(args, &mut run),
-        false => through_affine(args, &mut run),
+        false => through_told(args, &mut run, told),
     };
     found?.or_else(|reason| {
         let message = format!("{what}: {}", reason.message());

@@ -21,7 +21,7 @@ use crate::{
         work::{self, End},
     },
     value::{
-        Call, Ctx, FormalParameter, Function, Mistakes, Op, Value, assign, choose, pointed,
+        Call, Ctx, FormalParameter, Function, Making, Mistakes, Op, Value, assign, choose, pointed,
         turned_around,
     },
 };
@@ -41,7 +41,8 @@ pub(super) fn finite(value: Value, name: &str, span: Span) -> Result<Value> {
     let is_well = match &value {
         Value::List(items) => match items.numbers() {
             Some((values, _)) => values.iter().all(|value| value.is_finite()),
-            None => items.iter().all(is_finite),
+            // What is made when it is asked for is known to be.
+            None => items.is_made() || items.iter().all(is_finite),
         },
         Value::Record(record) => record.iter().all(|(_, value)| is_finite(value)),
         value => is_finite(value),
@@ -152,6 +153,7 @@ impl Machine<'_> {
             span,
             sources: env.sources,
             caller: self,
+            making: Making::Unasked,
         };
         let foreign = first.filter(|first| op.is_foreign_to(&first.value)).cloned();
         let run = || meter.lend(|| run(op, &mut ctx, call));

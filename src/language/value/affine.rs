@@ -8,13 +8,18 @@
 
 use super::{
     CARRIES_DERIVATIVES, Value,
+    held_numbers::{HeldNumbers, unit_step},
     numbers::{NumberSlopes, SparseNumbers, numbers},
     packed::Growth,
     variation::{
         Steps, Variables, are_alike, has_moving_knots, looked_at, moved, sizes, with_form_of,
     },
 };
-use crate::{diag::Result, kernel::tolerance::AFFINE_RELATIVE, limits::work};
+use crate::{
+    diag::Result,
+    kernel::{PointEntries, tolerance::AFFINE_RELATIVE},
+    limits::work,
+};
 
 /// Steps that are tried, as the size of what moves halved so many times: the first may leave what the
 /// operation takes.
@@ -86,12 +91,25 @@ pub fn through_affine(
     args: &[Value],
     run: &mut dyn FnMut(&[Value]) -> Result<Value>,
 ) -> Result<std::result::Result<Value, NoDerivative>> {
+    through_told(args, run, &|| None)
+}
+
+/// [`through_affine`] of an operation that may tell, when it has answered once, how its answer is made of points: see
+/// [`Ctx::made_by`](super::Ctx::made_by).
+///
+/// # Errors
+/// Those of the operation at the plain arguments.
+pub fn through_told(
+    args: &[Value],
+    run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+    told: &dyn Fn() -> Option<PointEntries>,
+) -> Result<std::result::Result<Value, NoDerivative>> {
     if args.iter().any(has_moving_knots) {
         return Ok(Err(NoDerivative::MovingKnots));
     }
     let Some(held) = all_moved(args, &[]) else { return Ok(Err(NoDerivative::NoAnswer)) };
     let base = run(&held)?;
-    Ok(differences(args, base, run))
+    Ok(differences(args, base, run, told()))
 }
 
 /// [`through_affine`] of an operation whose answer depends on the shape of its arguments alone: their knots
@@ -112,7 +130,7 @@ pub fn through_shape(
     let Some(base) = held.and_then(|held| run(&held).ok()) else {
         return Ok(Err(NoDerivative::NoAnswer));
     };
-    Ok(differences(args, base, run)
+    Ok(differences(args, base, run, None)
         .and_then(|found| with_form_of(&found, &answer).ok_or(NoDerivative::MovingKnots)))
 }
 
@@ -126,12 +144,15 @@ fn differences(
     args: &[Value],
     base: Value,
     run: &mut dyn FnMut(&[Value]) -> Result<Value>,
+    told: Option<PointEntries>,
 ) -> std::result::Result<Value, NoDerivative> {
     let variables = args.iter().map(Variables::of).find(|found| *found != Variables::None);
     match variables.unwrap_or(Variables::None) {
         Variables::None => Ok(base),
         Variables::HigherOrder => Err(NoDerivative::HigherOrder),
-        Variables::FirstOrder(n_variables) => Differences::new(args, base, run).slopes(n_variables),
+        Variables::FirstOrder(n_variables) => {
+            Differences::new(args, base, run).slopes(n_variables, told)
+        }
     }
 }
 
@@ -139,8 +160,8 @@ fn differences(
 pub(super) struct Differences<'a> {
     pub(super) args: &'a [Value],
     pub(super) base: Value,
-    pub(super) run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
-    pub(super) plain: Vec<f64>,
+    run: &'a mut dyn FnMut(&[Value]) -> Result<Value>,
+    plain: Vec<f64>,
 }
 
 /// The slopes along the growths, by variable.
@@ -155,10 +176,10 @@ fn along(lines: impl IntoIterator<Item = Growth>) -> Vec<(usize, SparseNumbers)>
 }
 
 /// How much all numbers grow over a step of a variable.
-pub(super) struct Line {
-    pub(super) variable: usize,
-    pub(super) step: f64,
-    pub(super) growth: Vec<f64>,
+struct Line {
+    variable: usize,
+    step: f64,
+    growth: Vec<f64>,
 }
 
 impl Line {
@@ -184,13 +205,16 @@ impl<'a> Differences<'a> {
 
     /// By how much the numbers grow over some steps; none where there is no answer, and some error where
     /// it has another form.
-    pub(super) fn growth(
+    fn growth(&mut self, steps: Steps<'_>) -> std::result::Result<Vec<f64>, NoDerivative> {
+        self.growth_to(all_moved(self.args, steps))
+    }
+
+    /// The same to other arguments.
+    fn growth_to(
         &mut self,
-        steps: Steps<'_>,
+        args: Option<Vec<Value>>,
     ) -> std::result::Result<Vec<f64>, NoDerivative> {
-        let there = all_moved(self.args, steps)
-            .and_then(|args| (self.run)(&args).ok())
-            .ok_or(NoDerivative::NoAnswer)?;
+        let there = args.and_then(|args| (self.run)(&args).ok()).ok_or(NoDerivative::NoAnswer)?;
         if !are_alike(&self.base, &there) {
             return Err(NoDerivative::OtherForm);
         }
@@ -200,16 +224,34 @@ impl<'a> Differences<'a> {
         Ok(found)
     }
 
+    /// The first of some steps of plain arguments along a direction, or against it, after which there is an answer, and the
+    /// growth over it; none where nothing moves.
+    pub(super) fn grown_along(
+        &mut self,
+        held: &HeldNumbers,
+        direction: &SparseNumbers,
+        (sign, halvings): (f64, &[i32]),
+    ) -> Option<(f64, Vec<f64>)> {
+        // The slopes of all variables by all others may be more than there is room for.
+        if !work::goes_on(1 + self.plain.len() as u64 / work::PARTS_A_STEP) {
+            return None;
+        }
+        let unit = held.unit_step(direction)?;
+        halvings.iter().find_map(|halvings| {
+            let step = libm::ldexp(sign * unit, -halvings);
+            let growth = self.growth_to(held.moved(direction, step));
+            Some((step, growth.ok()?))
+        })
+    }
+
     /// The step over which what moves with a variable moves by its own size; none where nothing does.
-    pub(super) fn unit_step(&self, variable: usize) -> Option<f64> {
+    fn unit_step(&self, variable: usize) -> Option<f64> {
         let all = self.args.iter().map(|arg| sizes(arg, variable));
         let [slope, size] = all.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
         if slope == 0.0 {
             return None;
         }
-        // A power of two, so that a step costs no digits of its own.
-        let ratio = if size == 0.0 { slope.recip() } else { size / slope };
-        Some(libm::exp2(libm::log2(ratio).round()))
+        Some(unit_step(slope, size))
     }
 
     /// The growths over the first steps of a variable that have any.
@@ -234,8 +276,12 @@ impl<'a> Differences<'a> {
     }
 
     /// The answer with its derivatives: first as on straight lines, then as on parabolas.
-    fn slopes(mut self, n_variables: usize) -> std::result::Result<Value, NoDerivative> {
-        if let Some(found) = self.through_points(n_variables) {
+    fn slopes(
+        mut self,
+        n_variables: usize,
+        told: Option<PointEntries>,
+    ) -> std::result::Result<Value, NoDerivative> {
+        if let Some(found) = self.through_points(n_variables, told) {
             return Ok(found);
         }
         let by_variable = match self.together(n_variables) {
@@ -265,10 +311,7 @@ impl<'a> Differences<'a> {
     }
 
     /// The growth over a step of each variable.
-    pub(super) fn lines(
-        &mut self,
-        n_variables: usize,
-    ) -> std::result::Result<Vec<Line>, NoDerivative> {
+    fn lines(&mut self, n_variables: usize) -> std::result::Result<Vec<Line>, NoDerivative> {
         let mut lines = Vec::new();
         for variable in 0..n_variables {
             // The slopes of all variables by all others may be more than there is room for.

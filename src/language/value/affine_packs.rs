@@ -1,7 +1,7 @@
 //! Slopes of what is affine, from steps of several variables at once.
 
 use super::{
-    affine::{Differences, Line, all_moved},
+    affine::{Differences, HALVINGS, all_moved},
     numbers::NumberPlaces,
     packed::{Growth, MovingNumbers, Pack},
     reach::{Moved, PointReach},
@@ -145,17 +145,16 @@ impl Differences<'_> {
         packs: &[Pack],
         answer: &NumberPlaces,
     ) -> Option<Vec<Vec<Growth>>> {
-        let args = moving.args(packs)?;
-        let mut together = Differences {
-            args: &args,
-            base: self.base.clone(),
-            run: &mut *self.run,
-            plain: self.plain.clone(),
+        let mut apart = |pack: &Pack| {
+            let direction = moving.direction(pack);
+            if direction.is_empty() {
+                return Some(Vec::new());
+            }
+            let mut grown = |sign| self.grown_along(moving.held(), &direction, (sign, &HALVINGS));
+            let (step, growth) = grown(1.0).or_else(|| grown(-1.0))?;
+            Some(pack.taken_apart((step, &growth), answer))
         };
-        let lines = together.lines(packs.len()).ok()?;
-        let apart =
-            |line: &Line| packs[line.variable].taken_apart((line.step, &line.growth), answer);
-        Some(lines.iter().map(apart).collect())
+        packs.iter().map(&mut apart).collect()
     }
 
     /// The growths by all variables; none where they do not go together, which those that do not bend one another tell.

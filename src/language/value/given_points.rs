@@ -1,23 +1,24 @@
 //! The points that move in the arguments of an operation: control points of curves and surfaces, and those of lists.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::{
-    Value,
-    affine::all_moved,
-    control_points::slopes_by_variable,
-    numbers::{NumberPlaces, NumberSlopes, SparseNumbers, numbers},
-    packed::MovingNumbers,
-    variation::Variables,
+    Value, affine::all_moved, control_points::slopes_by_variable, held_numbers::HeldNumbers,
+    numbers::SparseNumbers, packed::MovingNumbers, variation::Variables,
 };
-use crate::kernel::{Curve, Jet, PointSlopes, Surface};
+use crate::kernel::{Curve, Jet, PointEntries, PointFactors, PointSlopes, Surface};
 
 /// The points that move in the arguments of an operation, where nothing else does.
 pub(super) struct GivenPoints {
-    held: Vec<Value>,
-    pub(super) places: NumberPlaces,
+    pub(super) held: Arc<HeldNumbers>,
     /// The slopes of the points of each net that moves.
     pub(super) sets: Vec<PointSlopes>,
+    /// Which of all nets each is.
+    pub(super) nets: Vec<usize>,
+    /// Whether control points of curves or surfaces move.
+    pub(super) has_splines: bool,
     pub(super) moving: Vec<GivenPoint>,
 }
 
@@ -35,34 +36,50 @@ pub(super) struct GivenPoint {
 }
 
 impl GivenPoints {
-    /// None where anything else varies, or lists of points alone: what is made of these is cheap beside finding a matrix.
-    pub(super) fn new(args: &[Value], n_variables: usize) -> Option<Self> {
-        let held = all_moved(args, &[])?;
-        let places = NumberPlaces::of(&held);
+    /// None where anything else varies, or, unless it is known what is made of them, lists of points alone: that is cheap beside
+    /// finding a matrix.
+    pub(super) fn new(args: &[Value], n_variables: usize, is_known: bool) -> Option<Self> {
         let mut walk = GivenWalk { n_variables, n_nets: 0, has_splines: false, sets: Vec::new() };
         args.iter().try_for_each(|arg| walk.add(arg))?;
-        if !walk.has_splines {
+        if !walk.has_splines && !is_known {
             return None;
         }
+        let held = HeldNumbers::new(all_moved(args, &[])?);
         let (mut moving, mut n_before) = (Vec::new(), 0);
         for (set, (net, slopes)) in walk.sets.iter().enumerate() {
-            let first = places.nets[*net].first;
+            let first = held.places.nets[*net].first;
             let all = slopes.moving_coordinates()?;
             let own = all.iter().enumerate().filter(|(_, is_along)| is_along.contains(&true));
             moving.extend(own.map(|(idx, &is_along)| GivenPoint {
                 point: n_before + idx,
                 set,
                 is_along,
-                numbers: vec![places.points[first + idx]],
+                numbers: vec![held.places.points[first + idx]],
             }));
             n_before += all.len();
         }
-        let sets: Vec<PointSlopes> = walk.sets.into_iter().map(|(_, slopes)| slopes).collect();
-        let mut own = Self { held, places, sets, moving };
+        let has_splines = walk.has_splines;
+        let (nets, sets) = walk.sets.into_iter().unzip();
+        let mut own = Self { held: Arc::new(held), sets, nets, has_splines, moving };
         if 1 < own.sets.len() {
             own.join();
         }
         Some(own)
+    }
+
+    /// A matrix by all points of the arguments as one by those of the nets that move.
+    pub(super) fn of_sets(&self, entries: &PointEntries) -> PointFactors {
+        let mut places = vec![None; self.held.places.points.len()];
+        let mut n_before = 0;
+        for (set, net) in self.sets.iter().zip(&self.nets) {
+            let (first, n_points) = (self.held.places.nets[*net].first, set.n_points());
+            (0..n_points).for_each(|idx| places[first + idx] = Some(n_before + idx));
+            n_before += n_points;
+        }
+        let of = |&(made, point, factor): &(usize, usize, f64)| {
+            Some((made, (*places.get(point)?)?, factor))
+        };
+        PointFactors::Alike(entries.iter().filter_map(of).collect())
     }
 
     /// By how many variables points move.
@@ -75,8 +92,7 @@ impl GivenPoints {
 
     /// Lets points at one place that move alike move as one: curves that meet go apart where the end of one moves alone.
     fn join(&mut self) {
-        let mut all = Vec::new();
-        self.held.iter().for_each(|arg| numbers(arg, &mut all));
+        let all = &self.held.all;
         let place = |own: &GivenPoint| [0, 1, 2].map(|axis| all[own.numbers[0] + axis].to_bits());
         let mut order: Vec<usize> = (0..self.moving.len()).collect();
         order.sort_by_key(|&idx| (place(&self.moving[idx]), idx));
@@ -116,15 +132,14 @@ impl GivenPoints {
     pub(super) fn along(&self, axis: usize, points: &[GivenPoint]) -> MovingNumbers {
         let of = |own: &GivenPoint| own.numbers.iter().map(|first| (first + axis, 1.0)).collect();
         let slopes = points.iter().map(of).collect();
-        MovingNumbers::of_slopes(self.held.clone(), self.places.clone(), slopes)
+        MovingNumbers::of_slopes(&self.held, slopes)
     }
 
-    /// The arguments with one variable, along which each of some points goes so far for a step of one; and how far each
-    /// of all goes.
+    /// The direction in which each of some points goes so far for a step of one; and how far each of all goes.
     pub(super) fn at_once(
         &self,
         step: impl Fn(usize, &GivenPoint) -> DVec3,
-    ) -> Option<(Vec<Value>, Vec<DVec3>)> {
+    ) -> (SparseNumbers, Vec<DVec3>) {
         let n_points: usize = self.sets.iter().map(PointSlopes::n_points).sum();
         let (mut steps, mut all) = (vec![DVec3::ZERO; n_points], SparseNumbers::new());
         for (idx, own) in self.moving.iter().enumerate() {
@@ -135,10 +150,7 @@ impl GivenPoints {
             }
         }
         all.sort_by_key(|(at, _)| *at);
-        let by_variable = [(0, all)];
-        let mut seeds = NumberSlopes::new(1, &by_variable);
-        let args: Option<Vec<Value>> = self.held.iter().map(|arg| seeds.value(arg)).collect();
-        Some((args?, steps))
+        (all, steps)
     }
 }
 

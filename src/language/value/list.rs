@@ -51,6 +51,22 @@ enum ListItems {
     /// With room for more, which takes memory beside each list.
     GrowingValues(Arc<Vec<Value>>),
     NumberList(Arc<NumberList>),
+    Made(Arc<MadeList>),
+}
+
+/// As many values of no depth, each made when somebody asks for it.
+struct MadeList {
+    len: usize,
+    make: Box<dyn Fn(usize) -> Value + Send + Sync>,
+    /// All of them, once somebody wanted these.
+    spelled: OnceLock<Box<[Value]>>,
+}
+
+/// Whether somebody wanted the values does not show.
+impl fmt::Debug for MadeList {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries((0..self.len).map(&self.make)).finish()
+    }
 }
 
 /// Numbers of one dimension.
@@ -89,6 +105,20 @@ impl List {
         Self { items: ListItems::NumberList(Arc::new(numbers)), extent }
     }
 
+    /// The list of so many values of no depth that are made when they are asked for, always alike.
+    #[must_use]
+    pub(super) fn made(len: usize, make: Box<dyn Fn(usize) -> Value + Send + Sync>) -> Self {
+        let extent = ValueExtent { depth: 1, size: 1 + len as u64, ..ValueExtent::ATOM };
+        let made = MadeList { len, make, spelled: OnceLock::new() };
+        Self { items: ListItems::Made(Arc::new(made)), extent }
+    }
+
+    /// Whether its elements are made when they are asked for.
+    #[must_use]
+    pub(crate) fn is_made(&self) -> bool {
+        matches!(self.items, ListItems::Made(_))
+    }
+
     /// The list of these values, to which more may be appended soon; a short one is copied then.
     pub(crate) fn growing(items: Vec<Value>) -> Self {
         if items.len() < WORTH {
@@ -114,6 +144,7 @@ impl List {
             ListItems::Values(values) => values.len(),
             ListItems::GrowingValues(values) => values.len(),
             ListItems::NumberList(numbers) => numbers.values.len(),
+            ListItems::Made(made) => made.len,
         }
     }
 
@@ -132,6 +163,10 @@ impl List {
             ListItems::NumberList(numbers) => {
                 numbers.values.get(idx).map(|&value| numbers.value(value))
             }
+            ListItems::Made(made) => match made.spelled.get() {
+                Some(values) => values.get(idx).cloned(),
+                None => (idx < made.len).then(|| (made.make)(idx)),
+            },
         }
     }
 
@@ -144,7 +179,7 @@ impl List {
     #[must_use]
     pub fn numbers(&self) -> Option<(&[f64], Dimension)> {
         match &self.items {
-            ListItems::Values(_) | ListItems::GrowingValues(_) => None,
+            ListItems::Values(_) | ListItems::GrowingValues(_) | ListItems::Made(_) => None,
             ListItems::NumberList(numbers) => Some((&numbers.values, numbers.dim)),
         }
     }
@@ -153,7 +188,7 @@ impl List {
     #[must_use]
     pub fn slice(&self, range: std::ops::Range<usize>) -> Self {
         match &self.items {
-            ListItems::Values(_) | ListItems::GrowingValues(_) => {
+            ListItems::Values(_) | ListItems::GrowingValues(_) | ListItems::Made(_) => {
                 self[range].iter().cloned().collect()
             }
             ListItems::NumberList(numbers) => {
@@ -184,7 +219,7 @@ impl List {
                 }
                 _ => return Err(more),
             },
-            ListItems::Values(_) => return Err(more),
+            ListItems::Values(_) | ListItems::Made(_) => return Err(more),
         }
         self.extent = ValueExtent {
             depth: self.extent.depth.max(extent.depth),
@@ -203,6 +238,7 @@ impl List {
                 Arc::ptr_eq(own, other)
             }
             (ListItems::NumberList(own), ListItems::NumberList(other)) => Arc::ptr_eq(own, other),
+            (ListItems::Made(own), ListItems::Made(other)) => Arc::ptr_eq(own, other),
             _ => false,
         }
     }
@@ -218,6 +254,9 @@ impl Deref for List {
             ListItems::NumberList(numbers) => numbers
                 .spelled
                 .get_or_init(|| numbers.values.iter().map(|&value| numbers.value(value)).collect()),
+            ListItems::Made(made) => {
+                made.spelled.get_or_init(|| (0..made.len).map(&made.make).collect())
+            }
         }
     }
 }

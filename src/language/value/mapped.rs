@@ -11,7 +11,7 @@ use std::{ops::Range, sync::Arc};
 use glam::{DMat3, DVec3};
 
 use super::{
-    IntoValue, Record, Value, Vector,
+    IntoValue, List, Record, Value, Vector,
     affine::{Differences, HALVINGS},
     affine_packs::{Packed, Reach, Way},
     given_points::{GivenPoint, GivenPoints},
@@ -19,15 +19,16 @@ use super::{
     packed::{Growth, Pack},
 };
 use crate::kernel::{
-    Curve, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
-    tolerance::LAST_BIT,
+    Curve, PointEntries, PointFactors, PointMap, PointSlopes, Surface, VariedCurve, VariedSurface,
 };
 
 /// Fewer variables cost less by themselves.
-const FEWEST: usize = 4;
+pub(super) const FEWEST: usize = 4;
 
 /// How a matrix is looked for: the way that costs least comes first.
-const WAYS: [MapWay; 4] = [
+const WAYS: [MapWay; 6] = [
+    MapWay::Told,
+    MapWay::SameShape,
     MapWay::Selected,
     MapWay::Steps { steps: Way::Turned(Reach::Wide), is_mixed: false },
     MapWay::Steps { steps: Way::TurnedApart, is_mixed: false },
@@ -36,6 +37,10 @@ const WAYS: [MapWay; 4] = [
 
 #[derive(Clone, Copy)]
 enum MapWay {
+    /// The operation tells it.
+    Told,
+    /// Each curve or surface of the answer is one of the given ones, on other knots or a part of it.
+    SameShape,
     /// Each point of the answer moves with one of the given points.
     Selected,
     /// By steps of points.
@@ -47,18 +52,22 @@ enum MapWay {
 }
 
 /// The places of an answer's numbers, and what it is made of.
-struct Question<'g> {
-    given: &'g GivenPoints,
-    answer: NumberPlaces,
+pub(super) struct Question<'g> {
+    pub(super) given: &'g GivenPoints,
+    pub(super) answer: NumberPlaces,
     /// By how many variables points move.
-    n_moving: usize,
+    pub(super) n_moving: usize,
 }
 
 impl Differences<'_> {
     /// The answer with slopes through the matrix of its points by those given; none where something else moves, or the
     /// answer is not linear in them, or steps of variables cost less.
-    pub(super) fn through_points(&mut self, n_variables: usize) -> Option<Value> {
-        let given = &GivenPoints::new(self.args, n_variables)?;
+    pub(super) fn through_points(
+        &mut self,
+        n_variables: usize,
+        told: Option<PointEntries>,
+    ) -> Option<Value> {
+        let given = &GivenPoints::new(self.args, n_variables, told.is_some())?;
         let n_moving = given.n_variables();
         if n_moving < FEWEST {
             return None;
@@ -70,11 +79,14 @@ impl Differences<'_> {
                 // Variables that move a point each take no more steps themselves.
                 MapWay::Steps { .. } if given.sets.iter().all(PointSlopes::move_one_each) => break,
                 MapWay::Steps { steps: Way::TurnedApart, .. }
-                    if !was_in_part || !given.places.has_lists() =>
+                    if !was_in_part || !given.held.places.has_lists() =>
                 {
                     continue;
                 }
                 MapWay::Steps { steps, is_mixed } => self.factors(&question, steps, is_mixed),
+                MapWay::Told => told.as_ref().map(|told| (given.of_sets(told), false)),
+                MapWay::SameShape | MapWay::Selected if !given.has_splines => break,
+                MapWay::SameShape => self.same_shape(&question).map(|factors| (factors, false)),
                 MapWay::Selected => self.selected(&question).map(|factors| (factors, false)),
             };
             let Some((factors, is_in_part)) = steps else { continue };
@@ -82,31 +94,10 @@ impl Differences<'_> {
             let n_made = question.answer.points.len();
             let map = Arc::new(PointMap::new(given.sets.clone(), n_made, factors).ok()?);
             if self.is_borne_out(&question, &map) {
-                return Made { map, n_points: 0 }.value(&self.base);
+                return Made { map, is_finite: None, n_points: 0 }.value(&self.base);
             }
         }
         None
-    }
-
-    /// The matrix of an answer each of whose points moves with one given point, as all at once tell: along the first
-    /// coordinate alike, and along the second as far as their index says.
-    fn selected(&mut self, Question { given, answer, .. }: &Question<'_>) -> Option<PointFactors> {
-        let n = given.moving.len() as f64;
-        let (args, _) = given.at_once(|idx, _| DVec3::new(1.0, (idx + 1) as f64 / n, 0.0))?;
-        let (step, growth) = self.over(&args).grown(&HALVINGS[..1])?;
-        let mut factors = Vec::new();
-        for (made, &first) in answer.points.iter().enumerate() {
-            let is_point = answer.numbers[first].0 == 0;
-            if !is_point || growth[first].abs() <= 0.0 {
-                continue;
-            }
-            let place = growth[first + 1] / growth[first] * n;
-            let is_whole = (place - place.round()).abs() <= LAST_BIT.sqrt();
-            let idx = is_whole.then_some(place.round() as usize)?;
-            let own = given.moving.get(idx.checked_sub(1)?)?;
-            factors.push((made, own.point, growth[first] / step));
-        }
-        Some(PointFactors::Alike(factors))
     }
 
     /// The matrix as steps of points tell it, and whether these were taken to reach a part of the answer each; none where
@@ -185,9 +176,9 @@ impl Differences<'_> {
         let of = |idx: usize, own: &GivenPoint| {
             if is_wanted(own) { own.own_step(idx) } else { DVec3::ZERO }
         };
-        let Some((args, directions)) = given.at_once(of) else { return false };
-        let mut at_once = self.over(&args);
-        let Some((step, found)) = at_once.grown(&HALVINGS[2..]) else { return false };
+        let (direction, directions) = given.at_once(of);
+        let grown = self.grown_along(&given.held, &direction, (1.0, &HALVINGS[2..]));
+        let Some((step, found)) = grown else { return false };
         let mut expected = vec![0.0; found.len()];
         let steps: Vec<DVec3> = directions.iter().map(|direction| *direction * step).collect();
         let grown = map.grown(&steps);
@@ -196,22 +187,7 @@ impl Differences<'_> {
                 *expected = grown[*point][*axis];
             }
         }
-        at_once.is_near(&found, &expected)
-    }
-
-    /// The same answer from arguments with other variables.
-    fn over<'o>(&'o mut self, args: &'o [Value]) -> Differences<'o> {
-        let (base, plain) = (self.base.clone(), self.plain.clone());
-        Differences { args, base, run: &mut *self.run, plain }
-    }
-
-    /// The first of some steps of the only variable after which there is an answer, and the growth over it.
-    fn grown(&mut self, halvings: &[i32]) -> Option<(f64, Vec<f64>)> {
-        let unit = self.unit_step(0)?;
-        halvings.iter().find_map(|halvings| {
-            let step = libm::ldexp(unit, -halvings);
-            Some((step, self.growth(&[(0, step)]).ok()?))
-        })
+        self.is_near(&found, &expected)
     }
 }
 
@@ -240,6 +216,8 @@ fn add(
 /// An answer whose points a matrix makes, one behind the other.
 struct Made {
     map: Arc<PointMap>,
+    /// Whether all slopes are numbers, so that points need not be made to know that; where lists of them were met.
+    is_finite: Option<bool>,
     /// How many points and other numbers have been told.
     n_points: usize,
 }
@@ -254,6 +232,25 @@ impl Made {
     fn slopes(&mut self, n_points: usize) -> PointSlopes {
         let made = self.next(n_points);
         self.map.slopes_of(made)
+    }
+
+    fn has_finite_slopes(&mut self) -> bool {
+        *self.is_finite.get_or_insert_with(|| self.map.has_finite_slopes())
+    }
+
+    /// Points with their slopes, each made when it is asked for.
+    fn points(&mut self, items: &List) -> List {
+        let (from, plain) = (self.next(items.len()).start, items.clone());
+        let map = Arc::clone(&self.map);
+        let point = move |idx: usize| match &plain[idx] {
+            Value::Point(own) => match map.point(from + idx, *own) {
+                Ok(Some(jets)) => Vector::Jets(Box::new(jets)).into_value(),
+                Ok(None) => Value::Point(*own),
+                Err(_) => unreachable!("slopes that are known to be finite"),
+            },
+            other => other.clone(),
+        };
+        List::made(items.len(), Box::new(point))
     }
 
     /// A value with the slopes of its points; none where they are no numbers.
@@ -280,6 +277,9 @@ impl Made {
                 }
                 Value::JetSurface(Arc::new(VariedSurface::new(Arc::clone(surface), slopes).ok()?))
             }
+            Value::List(items) if are_points(items) && self.has_finite_slopes() => {
+                Value::List(self.points(items))
+            }
             Value::List(items) => {
                 let items: Option<Vec<Value>> =
                     items.values().map(|item| self.value(&item)).collect();
@@ -296,4 +296,8 @@ impl Made {
             }
         })
     }
+}
+
+fn are_points(items: &List) -> bool {
+    items.iter().all(|item| matches!(item, Value::Point(_)))
 }

@@ -24,6 +24,7 @@ mod from_value;
 mod from_variant;
 mod function;
 mod given_points;
+mod held_numbers;
 mod into_value;
 mod json;
 mod key;
@@ -49,6 +50,8 @@ mod record;
 mod registry;
 mod remedy;
 mod rounding;
+mod same_shape;
+mod selected;
 mod settling;
 mod shape;
 mod switch;
@@ -69,7 +72,7 @@ use crate::kernel::{
     VariedSolid, VariedSurface,
 };
 
-pub use affine::{NoDerivative, through_affine, through_shape, varies};
+pub use affine::{NoDerivative, through_affine, through_shape, through_told, varies};
 pub use appearance::{Appearance, COLOR_NAMES, color_of};
 pub use bind::{Binder, Call, FormalParameter, Mistakes, assign};
 pub use common_dimension::CommonDimension;
@@ -97,7 +100,7 @@ pub use number::{BARE_AND_ANGLE, Dimension, Number, radians_of, rounded, shortes
 pub use on_numbers::OnNumbers;
 pub use on_vectors::OnVectors;
 pub use op::{
-    Bounded, Caller, Comparison, Ctx, EnclosedFunction, Family, Op, OpParameter, Relation,
+    Bounded, Caller, Comparison, Ctx, EnclosedFunction, Family, Making, Op, OpParameter, Relation,
 };
 pub(crate) use op_macro::op;
 pub use parameter_range::ParameterRange;

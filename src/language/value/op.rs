@@ -8,7 +8,7 @@ use super::{
 };
 use crate::{
     diag::{Diagnostic, Result, Sources, Span},
-    kernel::{CurveFunction, Enclosure, SurfaceFunction, Tolerance},
+    kernel::{CurveFunction, Enclosure, PointEntries, SurfaceFunction, Tolerance},
     limits::Limits,
 };
 
@@ -30,6 +30,20 @@ pub struct Ctx<'a> {
     pub sources: Option<&'a Sources>,
     /// Calls functions of the script and takes warnings.
     pub caller: &'a mut dyn Caller,
+    /// Whether it is asked how the answer is made of the points of the arguments.
+    pub making: Making,
+}
+
+/// How an answer is made of points, as far as somebody asks and the operation tells.
+#[derive(Debug, Default)]
+pub enum Making {
+    /// Nobody asks.
+    #[default]
+    Unasked,
+    /// Somebody does.
+    Asked,
+    /// By how much each point of the arguments, one behind the other, counts in those of the answer.
+    Told(PointEntries),
 }
 
 impl std::fmt::Debug for Ctx<'_> {
@@ -39,6 +53,16 @@ impl std::fmt::Debug for Ctx<'_> {
 }
 
 impl Ctx<'_> {
+    /// Tells by how much the points of the arguments, those of control points as homogeneous ones, count in those of the
+    /// answer, where somebody asks. It is held against a step of all of them before anybody is told slopes.
+    pub fn made_by(&mut self, entries: &dyn Fn() -> Option<PointEntries>) {
+        if matches!(self.making, Making::Asked)
+            && let Some(entries) = entries()
+        {
+            self.making = Making::Told(entries);
+        }
+    }
+
     /// Calls a function that was given as an argument. A list that nobody else has may grow in it.
     ///
     /// # Errors

@@ -7,9 +7,12 @@
 //!
 //! Curtis, Powell & Reid, *On the estimation of sparse Jacobian matrices*, IMA J. Appl. Math. 13 (1974).
 
+use std::sync::Arc;
+
 use super::{
     Value,
-    numbers::{NumberPlaces, NumberSlopes, OTHER_NUMBER, SparseNumbers, slopes},
+    held_numbers::HeldNumbers,
+    numbers::{NumberPlaces, OTHER_NUMBER, SparseNumbers, slopes},
     reach::{Moved, PointReach},
 };
 use crate::limits::work;
@@ -22,7 +25,7 @@ const FEW: usize = 4;
 
 /// What moves in the arguments of an operation.
 pub(super) struct MovingNumbers {
-    held: Vec<Value>,
+    held: Arc<HeldNumbers>,
     places: NumberPlaces,
     /// The slopes of all numbers, by each variable.
     slopes: Vec<SparseNumbers>,
@@ -58,7 +61,8 @@ pub(super) struct Growth {
 impl MovingNumbers {
     /// Of arguments, and the same without derivatives; none where there is no room for them.
     pub(super) fn new(args: &[Value], held: Vec<Value>, n_variables: usize) -> Option<Self> {
-        let places = NumberPlaces::of(&held);
+        let held = HeldNumbers::new(held);
+        let places = held.places.clone();
         // The slopes of all numbers by all variables may be more than there is room for.
         let n_parts = n_variables * places.numbers.len();
         if !work::goes_on(1 + n_parts as u64 / work::PARTS_A_STEP) {
@@ -66,16 +70,17 @@ impl MovingNumbers {
         }
         let mut all = vec![Vec::new(); n_variables];
         args.iter().fold(0, |behind, arg| slopes(arg, behind, &mut all));
-        Some(Self { held, places, slopes: all })
+        Some(Self { held: Arc::new(held), places, slopes: all })
     }
 
     /// Of arguments without derivatives, whose numbers have these slopes by each variable.
-    pub(super) fn of_slopes(
-        held: Vec<Value>,
-        places: NumberPlaces,
-        slopes: Vec<SparseNumbers>,
-    ) -> Self {
-        Self { held, places, slopes }
+    pub(super) fn of_slopes(held: &Arc<HeldNumbers>, slopes: Vec<SparseNumbers>) -> Self {
+        Self { held: Arc::clone(held), places: held.places.clone(), slopes }
+    }
+
+    /// The arguments without derivatives.
+    pub(super) fn held(&self) -> &HeldNumbers {
+        &self.held
     }
 
     /// Whether several curves or surfaces stand in a list, so that they are taken for alike.
@@ -87,7 +92,7 @@ impl MovingNumbers {
     pub(super) fn apart(&self) -> Self {
         let mut places = self.places.clone();
         places.nets.iter_mut().for_each(|net| net.list = None);
-        Self { held: self.held.clone(), places, slopes: self.slopes.clone() }
+        Self { held: Arc::clone(&self.held), places, slopes: self.slopes.clone() }
     }
 
     /// The variables that move something.
@@ -186,33 +191,27 @@ impl MovingNumbers {
         PackedVariable { variable, scale, turned, points: None }
     }
 
-    /// The arguments with packs as their variables.
-    pub(super) fn args(&self, packs: &[Pack]) -> Option<Vec<Value>> {
-        let direction = |(idx, pack): (usize, &Pack)| {
-            let mut sum = SparseNumbers::new();
-            for member in &pack.members {
-                for (at, slope) in &self.slopes[member.variable] {
-                    let to = match member.turned {
-                        Some([axis, along]) => at - axis + along,
-                        None => *at,
-                    };
-                    sum.push((to, member.scale * slope));
-                }
+    /// How all numbers go over a step of a pack.
+    pub(super) fn direction(&self, pack: &Pack) -> SparseNumbers {
+        let mut sum = SparseNumbers::new();
+        for member in &pack.members {
+            for (at, slope) in &self.slopes[member.variable] {
+                let to = match member.turned {
+                    Some([axis, along]) => at - axis + along,
+                    None => *at,
+                };
+                sum.push((to, member.scale * slope));
             }
-            sum.sort_by_key(|(at, _)| *at);
-            sum.dedup_by(|next, own| {
-                let is_same = next.0 == own.0;
-                if is_same {
-                    own.1 += next.1;
-                }
-                is_same
-            });
-            (idx, sum)
-        };
-        let by_pack: Vec<(usize, SparseNumbers)> =
-            packs.iter().enumerate().map(direction).collect();
-        let mut seeds = NumberSlopes::new(packs.len(), &by_pack);
-        self.held.iter().map(|arg| seeds.value(arg)).collect()
+        }
+        sum.sort_by_key(|(at, _)| *at);
+        sum.dedup_by(|next, own| {
+            let is_same = next.0 == own.0;
+            if is_same {
+                own.1 += next.1;
+            }
+            is_same
+        });
+        sum
     }
 }
 

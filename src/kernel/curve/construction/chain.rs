@@ -3,8 +3,8 @@
 use glam::{DVec3, DVec4};
 
 use crate::{
-    CountError, FormError, GeomError, InputError, Interval, KnotVector, curve::NurbsCurve,
-    homogeneous,
+    CountError, FormError, GeomError, InputError, Interval, KnotVector, PointEntries,
+    curve::NurbsCurve, homogeneous,
 };
 
 impl NurbsCurve {
@@ -35,22 +35,39 @@ impl NurbsCurve {
         if tangents.len() != n {
             return Err(CountError::TangentCount { points: n, tangents: tangents.len() }.into());
         }
-        let mut polygon = vec![points[0]];
+        let polygon: Vec<DVec3> =
+            hermite_corners(n).map(|(i, share)| points[i] + tangents[i] * share / 3.0).collect();
         let mut knots = vec![0.0; 4];
-        for (i, (&point, &tangent)) in points.iter().zip(tangents).enumerate() {
-            if 0 < i {
-                polygon.push(point - tangent / 3.0);
-            }
-            if i < n - 1 {
-                polygon.push(point + tangent / 3.0);
-            }
-            if 0 < i && i < n - 1 {
-                knots.extend([i as f64; 2]);
-            }
-        }
-        polygon.push(points[n - 1]);
+        (1..n - 1).for_each(|i| knots.extend([i as f64; 2]));
         knots.extend([(n - 1) as f64; 4]);
         Self::polynomial(KnotVector::new(3, knots)?, &polygon)
+    }
+
+    /// By how much each of so many points counts in the control points of [`Self::beta_spline`].
+    #[must_use]
+    pub fn factors_of_beta_spline(
+        n_points: usize,
+        bias: f64,
+        tension: f64,
+        is_closed: bool,
+    ) -> PointEntries {
+        let n_around = if is_closed { n_points + 3 } else { n_points };
+        let sum = beta_sum(bias, tension);
+        let of = |(made, terms): (usize, [(usize, f64); 3])| {
+            terms.map(|(i, factor)| (made, i % n_points, factor / sum))
+        };
+        let all = beta_corners(n_around, bias, tension).into_iter().enumerate().flat_map(of);
+        all.filter(|entry| entry.2 != 0.0).collect()
+    }
+
+    /// By how much each of so many points, and behind them each tangent, counts in the control points of [`Self::hermite`].
+    #[must_use]
+    pub fn factors_of_hermite(n_points: usize) -> PointEntries {
+        let both = |(made, (i, share)): (usize, (usize, f64))| {
+            [(made, i, 1.0), (made, n_points + i, share / 3.0)]
+        };
+        let all = hermite_corners(n_points).enumerate().flat_map(both);
+        all.filter(|entry| entry.2 != 0.0).collect()
     }
 
     /// The uniform B-spline of degree p, not clamped, one unit of parameter a segment; a closed
@@ -93,9 +110,7 @@ impl NurbsCurve {
         if !(bias.is_finite() && 0.0 < bias) {
             return Err(InputError::NotPositive { what: "the bias", got: bias }.into());
         }
-        let (squared, cubed) = (bias * bias, bias * bias * bias);
-        let bend = 4.0 * squared + 4.0 * bias + tension;
-        let sum = 2.0 * cubed + bend + 2.0;
+        let sum = beta_sum(bias, tension);
         if !sum.is_finite() {
             return Err(InputError::NotFinite { what: "control point", index: 0 }.into());
         }
@@ -107,20 +122,11 @@ impl NurbsCurve {
         if got < 4 {
             return Err(CountError::TooFewPoints { got, needed: 4 }.into());
         }
-        let joint = |i: usize| {
-            (points[i] * (2.0 * cubed) + points[i + 1] * bend + points[i + 2] * 2.0) / sum
+        let terms = |terms: [(usize, f64); 3]| {
+            let [first, second, third] = terms.map(|(i, factor)| points[i] * factor);
+            (first + second + third) / sum
         };
-        let mut polygon = vec![joint(0)];
-        for i in 1..got - 2 {
-            let (before, after) = (points[i], points[i + 1]);
-            let (near, far) =
-                (2.0 + 2.0 * bias, 2.0 * cubed + 4.0 * squared + 2.0 * bias + tension);
-            polygon.push((before * far + after * near) / sum);
-            let (near, far) =
-                (2.0 * cubed + 2.0 * squared, 2.0 * squared + 4.0 * bias + tension + 2.0);
-            polygon.push((before * near + after * far) / sum);
-            polygon.push(joint(i));
-        }
+        let polygon: Vec<DVec3> = beta_corners(got, bias, tension).into_iter().map(terms).collect();
         let n_segments = got - 3;
         let inner = (1..n_segments).flat_map(|i| [i as f64; 3]);
         let knots = [0.0; 4].into_iter().chain(inner).chain([n_segments as f64; 4]).collect();
@@ -150,21 +156,11 @@ impl NurbsCurve {
             return Err(CountError::TooFewPoints { got: 0, needed: 1 }.into());
         };
         let knots = KnotVector::bezier(degree)?.on(domain);
-        let binomials = binomials(degree);
-        let point = |n_at_end: usize| {
-            // symmetric[i] sums the products of i of the arguments.
-            let mut symmetric = vec![0.0; degree + 1];
-            symmetric[0] = 1.0;
-            for k in 0..degree {
-                let argument = if k < n_at_end { domain.end() } else { domain.start() };
-                for i in (1..=k + 1).rev() {
-                    symmetric[i] += argument * symmetric[i - 1];
-                }
-            }
-            let terms = coefficients.iter().zip(symmetric.iter().zip(&binomials));
-            terms.fold(DVec3::ZERO, |sum, (&c, (&e, &binomial))| sum + c * (e / binomial))
+        let point = |weights: Vec<f64>| {
+            let terms = coefficients.iter().zip(weights);
+            terms.fold(DVec3::ZERO, |sum, (&c, weight)| sum + c * weight)
         };
-        let points: Vec<DVec3> = (0..=degree).map(point).collect();
+        let points: Vec<DVec3> = power_weights(degree + 1, domain).into_iter().map(point).collect();
         Self::polynomial(knots, &points)
     }
 
@@ -185,6 +181,72 @@ impl NurbsCurve {
         homogeneous::check_finite(&finite)?;
         Ok(coefficients)
     }
+}
+
+/// What the weights of a Beta-spline's points at a joint come to.
+fn beta_sum(bias: f64, tension: f64) -> f64 {
+    2.0 * (bias * bias * bias) + beta_bend(bias, tension) + 2.0
+}
+
+/// The weight of the middle one of three points at a joint.
+fn beta_bend(bias: f64, tension: f64) -> f64 {
+    4.0 * (bias * bias) + 4.0 * bias + tension
+}
+
+/// The Bézier points of a Beta-spline of so many points, four or more: those that each is made of, with what they count of
+/// [`beta_sum`].
+fn beta_corners(n_points: usize, bias: f64, tension: f64) -> Vec<[(usize, f64); 3]> {
+    let (squared, cubed) = (bias * bias, bias * bias * bias);
+    let bend = beta_bend(bias, tension);
+    let joint = |i: usize| [(i, 2.0 * cubed), (i + 1, bend), (i + 2, 2.0)];
+    let between = |i: usize, before: f64, after: f64| [(i, before), (i + 1, after), (i, 0.0)];
+    let segment = |i: usize| {
+        let first =
+            between(i, 2.0 * cubed + 4.0 * squared + 2.0 * bias + tension, 2.0 + 2.0 * bias);
+        let second =
+            between(i, 2.0 * cubed + 2.0 * squared, 2.0 * squared + 4.0 * bias + tension + 2.0);
+        [first, second, joint(i)]
+    };
+    std::iter::once(joint(0)).chain((1..n_points - 2).flat_map(segment)).collect()
+}
+
+/// The control points of a chain of cubics through so many points: each with the one that it stands by, and by how much
+/// of a third of the tangent there it is off.
+fn hermite_corners(n_points: usize) -> impl Iterator<Item = (usize, f64)> {
+    let last = n_points.saturating_sub(1);
+    let inner = (0..n_points).flat_map(move |i| {
+        [(0 < i).then_some((i, -1.0)), (i < last).then_some((i, 1.0))].into_iter().flatten()
+    });
+    std::iter::once((0, 0.0)).chain(inner).chain(std::iter::once((last, 0.0)))
+}
+
+/// By how much each of so many coefficients of powers counts in each Bézier point over a domain: the blossom of a power is
+/// the mean of the products of as many of the arguments.
+///
+/// Ramshaw, *Blossoms are polar forms* (1989).
+pub(crate) fn power_weights(n_coefficients: usize, domain: Interval) -> Vec<Vec<f64>> {
+    let degree = n_coefficients.saturating_sub(1);
+    let binomials = binomials(degree);
+    // symmetric[i] sums the products of i of the arguments.
+    let with = |symmetric: &mut [f64], n_before: usize, argument: f64| {
+        for i in (1..=n_before + 1).rev() {
+            symmetric[i] += argument * symmetric[i - 1];
+        }
+    };
+    let mut of_ends = vec![0.0; degree + 1];
+    of_ends[0] = 1.0;
+    let row = |n_at_end: usize| {
+        let mut symmetric = of_ends.clone();
+        // An argument of zero adds nothing.
+        if domain.start() != 0.0 {
+            (n_at_end..degree).for_each(|k| with(&mut symmetric, k, domain.start()));
+        }
+        if n_at_end < degree {
+            with(&mut of_ends, n_at_end, domain.end());
+        }
+        symmetric.iter().zip(&binomials).map(|(e, binomial)| e / binomial).collect()
+    };
+    (0..n_coefficients).map(row).collect()
 }
 
 /// Coefficients of the powers of a parameter, lowest first, of a Bézier form over a domain.

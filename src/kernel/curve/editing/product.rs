@@ -3,7 +3,7 @@
 use glam::{DVec3, DVec4};
 
 use crate::{
-    DomainError, FormError, GeomError, InputError, KnotVector, WeightError, bezier,
+    DomainError, FormError, GeomError, InputError, KnotVector, PointEntries, WeightError, bezier,
     curve::{NurbsCurve, construction::chain::binomials},
     homogeneous, positive,
     tolerance::KNOT_RELATIVE,
@@ -26,18 +26,22 @@ impl NurbsCurve {
         if p == 0 {
             return Self::polynomial(self.knots.clone(), &vec![DVec3::ZERO; points.len()]);
         }
-        let mut slopes = Vec::with_capacity(points.len());
-        let mut knots = Vec::with_capacity(u.len());
-        for (i, pair) in points.windows(2).enumerate() {
-            let width = u[i + p + 1] - u[i + 1];
-            // Where a knot stands p + 1 times, no function lives between its points.
-            if 0.0 < width {
-                slopes.push((pair[1] - pair[0]) * (p as f64 / width));
-                knots.push(u[i + 1]);
-            }
-        }
+        let legs = hodograph_legs(&self.knots);
+        let slopes: Vec<DVec3> =
+            legs.iter().map(|&(i, factor)| (points[i + 1] - points[i]) * factor).collect();
+        let mut knots: Vec<f64> = legs.iter().map(|(i, _)| u[i + 1]).collect();
         knots.extend_from_slice(&u[points.len()..u.len() - 1]);
         Self::polynomial(KnotVector::new(p - 1, knots)?, &slopes)
+    }
+
+    /// By how much each control point counts in those of [`Self::hodograph`]; none where it has weights.
+    #[must_use]
+    pub fn factors_of_hodograph(&self) -> Option<PointEntries> {
+        let legs = hodograph_legs(&self.knots).into_iter().enumerate();
+        let both = |(made, (i, factor)): (usize, (usize, f64))| {
+            [(made, i, -factor), (made, i + 1, factor)]
+        };
+        (!self.is_rational && 0 < self.degree()).then(|| legs.flat_map(both).collect())
     }
 
     fn rational_hodograph(&self) -> Result<Self, GeomError> {
@@ -132,6 +136,19 @@ impl NurbsCurve {
         };
         breaks.windows(2).map(piece).collect()
     }
+}
+
+/// The legs of a control polygon that are control points of the derivative, each with the first point and the factor p over
+/// the width of what both have in common: where a knot stands p + 1 times, no function lives between its points.
+///
+/// Piegl & Tiller, *The NURBS Book*, (3.3).
+fn hodograph_legs(knots: &KnotVector) -> Vec<(usize, f64)> {
+    let (p, u) = (knots.degree(), knots.as_slice());
+    let leg = |i: usize| {
+        let width = u[i + p + 1] - u[i + 1];
+        (0.0 < width).then(|| (i, p as f64 / width))
+    };
+    (0..knots.n_points() - 1).filter_map(leg).collect()
 }
 
 /// Bernstein coefficients of the product of two polynomials given by theirs.

@@ -33,9 +33,10 @@ op! {
     "#;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {
     let (curve, span) = (args.c.value, args.c.span);
     let t = curve.domain().clamp_inside(args.t.value).at(args.t.span)?;
+    ctx.made_by(&|| Some(curve.factors_of_levels(t)));
     curve.de_casteljau(t).map_or_else(
         || {
             let message = match curve.n_segments() {

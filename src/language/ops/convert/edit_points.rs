@@ -28,8 +28,10 @@ op! {
     "#;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
     let parameters = args.c.knots().greville().into_iter();
-    let inside = parameters.filter_map(|t| args.c.domain().clamp_inside(t).ok());
-    Ok(inside.map(|t| args.c.point_at(t)).collect())
+    let inside: Vec<f64> =
+        parameters.filter_map(|t| args.c.domain().clamp_inside(t).ok()).collect();
+    ctx.made_by(&|| Some(args.c.factors_of_places(&inside)));
+    Ok(inside.into_iter().map(|t| args.c.point_at(t)).collect())
 }

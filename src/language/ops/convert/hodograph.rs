@@ -26,6 +26,7 @@ op! {
     "#;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Curve> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Curve> {
+    ctx.made_by(&|| args.c.value.nurbs().ok()?.factors_of_hodograph());
     args.c.value.hodograph().at(args.c.span)
 }

@@ -25,6 +25,8 @@ op! {
     "#;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
-    Ok(args.c.knots().breaks().into_iter().map(|t| args.c.point_at(t)).collect())
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    let breaks = args.c.knots().breaks();
+    ctx.made_by(&|| Some(args.c.factors_of_places(&breaks)));
+    Ok(breaks.into_iter().map(|t| args.c.point_at(t)).collect())
 }

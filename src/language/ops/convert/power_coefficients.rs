@@ -27,6 +27,7 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<DVec3>> {
+    ctx.made_by(&|| args.c.value.factors_of_powers());
     args.c.value.power_coefficients().at(args.c.span)
 }

@@ -43,5 +43,9 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     } else {
         args.tension.span_or(span)
     };
-    NurbsCurve::beta_spline(&points, args.bias.value, args.tension.value, args.closed).at(blamed)
+    let (bias, tension, is_closed) = (args.bias.value, args.tension.value, args.closed);
+    ctx.made_by(&|| {
+        Some(NurbsCurve::factors_of_beta_spline(points.len(), bias, tension, is_closed))
+    });
+    NurbsCurve::beta_spline(&points, bias, tension, is_closed).at(blamed)
 }

@@ -27,10 +27,11 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
     let AtLeast(points) = args.points.value;
     let tangents = two_tangents(&args.tangents)?;
     let parameters: Vec<f64> = (0..points.len()).map(|i| i as f64).collect();
     let interpolator = Interpolator::new(&parameters, 3, Ends::Clamped).at(args.points.span)?;
+    ctx.made_by(&|| interpolator.factors_with_tangents());
     interpolator.curve_with_tangents(&points, tangents).at(args.points.span)
 }

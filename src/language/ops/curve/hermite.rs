@@ -28,6 +28,7 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    ctx.made_by(&|| Some(NurbsCurve::factors_of_hermite(args.points.value.0.len())));
     NurbsCurve::hermite(&args.points.value.0, &args.tangents.value).at(args.tangents.span)
 }

@@ -26,6 +26,8 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
-    NurbsCurve::power_form(&args.coefficients.value.0, args.domain.value).at(args.coefficients.span)
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<NurbsCurve> {
+    let (AtLeast(coefficients), domain) = (&args.coefficients.value, args.domain.value);
+    ctx.made_by(&|| Some(NurbsCurve::factors_of_power_form(coefficients.len(), domain)));
+    NurbsCurve::power_form(coefficients, domain).at(args.coefficients.span)
 }

@@ -32,10 +32,11 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<Vec<DVec3>>>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<Vec<DVec3>>>> {
     let (surface, span) = (args.s.value, args.s.span);
     let u = surface.domain_u().clamp_inside(args.u.value).at(args.u.span)?;
     let v = surface.domain_v().clamp_inside(args.v.value).at(args.v.span)?;
+    ctx.made_by(&|| Some(surface.factors_of_levels(u, v)));
     let Some(levels) = surface.de_casteljau(u, v) else {
         let message = match surface.n_patches() {
             [1, 1] => "the surface is one patch, but not in Bézier form".to_owned(),

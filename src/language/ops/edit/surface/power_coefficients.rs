@@ -26,7 +26,8 @@ op! {
     derivative affine;
 }
 
-fn run(_: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {
+fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Vec<DVec3>>> {
+    ctx.made_by(&|| args.s.value.factors_of_powers());
     let grid = args.s.value.power_coefficients().at(args.s.span)?;
     let row = |i: usize| (0..grid.n_columns()).map(|j| grid.get(i, j)).collect();
     Ok((0..grid.n_rows()).map(row).collect())

@@ -48,10 +48,10 @@ impl FromValue for IsocurveChoice {
 }
 
 fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
-    let mut curves = Vec::new();
-    for (across, places) in [(Direction::U, args.u), (Direction::V, args.v)] {
+    let (mut curves, mut places) = (Vec::new(), Vec::new());
+    for (across, wanted) in [(Direction::U, args.u), (Direction::V, args.v)] {
         let domain = args.s.domain(across);
-        let parameters = match places.value {
+        let parameters = match wanted.value {
             IsocurveChoice::Even(n) => {
                 check_length(n as f64, ctx)?;
                 match n {
@@ -63,9 +63,19 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Vec<Curve>> {
             IsocurveChoice::Listed(parameters) => parameters,
         };
         for t in parameters {
-            let t = domain.clamp_inside(t).at(places.span)?;
-            curves.push(args.s.isocurve(across.other(), t).at(places.span)?);
+            let t = domain.clamp_inside(t).at(wanted.span)?;
+            places.push((across.other(), t));
+            curves.push(args.s.isocurve(across.other(), t).at(wanted.span)?);
         }
     }
+    ctx.made_by(&|| {
+        let (surface, mut entries, mut n_made) = (args.s.nurbs().ok()?, Vec::new(), 0);
+        for &(along, t) in &places {
+            let own = surface.factors_of_isocurve(along, t).into_iter();
+            entries.extend(own.map(|(made, given, factor)| (n_made + made, given, factor)));
+            n_made += surface.knots(along).n_points();
+        }
+        Some(entries)
+    });
     Ok(curves)
 }
