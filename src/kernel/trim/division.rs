@@ -203,8 +203,7 @@ impl Division {
         for (number, (edge, cells)) in self.arrangement.edges.iter().zip(self.beside()).enumerate()
         {
             let [left, right] = [cells.left, cells.right].map(part_of);
-            let is_along =
-                left.or(right).is_some() || self.slits.binary_search(&number).is_ok();
+            let is_along = left.or(right).is_some() || self.slits.binary_search(&number).is_ok();
             for arc in edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1)) {
                 courses[arc].is_along |= is_along;
                 courses[arc].is_between |= left != right;
