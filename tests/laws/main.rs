@@ -25,6 +25,7 @@ mod edit_surface;
 mod evaluator;
 mod exact_cut;
 mod face;
+mod face_plane;
 mod face_touching;
 mod face_turned;
 mod far;

@@ -429,6 +429,25 @@ fn mass_is_that_of_the_textbook() {
     check(circle.inertia.z_axis.z, PI * 16.0 / 2.0);
 }
 
+/// What a small hole far from the middle takes away is that by the theorem of Steiner.
+#[test]
+fn mass_is_that_without_small_holes_at_the_border() {
+    let holes = [circle(19.0, 14.0, 0.1), circle(-19.5, 3.0, 0.05)];
+    let corners = [(-20.0, -15.0), (20.0, -15.0), (20.0, 15.0), (-20.0, 15.0)];
+    let mass = Region::new(&polygon(&corners), &holes, TOLERANCE).unwrap().mass();
+    let [a, b] = [PI * 0.01, PI * 0.0025];
+    let area = 1200.0 - a - b;
+    let center = -(at(19.0, 14.0) * a + at(-19.5, 3.0) * b) / area;
+    check(mass.amount, area);
+    assert!(mass.centroid.distance(center) < 1e-14);
+    let own = 0.5 * (a * 0.01 + b * 0.0025);
+    let moved = a * (19.0 * 19.0 + 14.0 * 14.0) + b * (19.5 * 19.5 + 9.0);
+    let polar = 1200.0 * (1600.0 + 900.0) / 12.0 - own - moved - area * center.length_squared();
+    assert!((mass.inertia.z_axis.z / polar - 1.0).abs() < 1e-14);
+    let mixed = -(a * 19.0 * 14.0 - b * 19.5 * 3.0) - area * center.x * center.y;
+    assert!((mass.inertia.x_axis.y + mixed).abs() < 1e-9, "{}", mass.inertia.x_axis.y);
+}
+
 proptest! {
     #![proptest_config(proptest::prelude::ProptestConfig::with_cases(64))]
 

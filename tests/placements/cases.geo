@@ -242,6 +242,13 @@ let solid_cap_aslant = off(
     )),
     5 / 3 * pi,
 )
+// A tenth of the tolerance beside a pole.
+let globe = solid(placed(sphere((0, 0), 1)))
+fn over(height) = pi * (1 - height)^2 * (2 + height) / 3
+let past = across((3e-7 / 5, 4e-7 / 5, 1), (3, 4, 1))
+let least = (5e-7 + 1) / sqrt(26)
+let solid_past_pole = off(filled(cut(globe, past, keep = "above")), over(least))
+let solid_past_pole_below = off(filled(cut(globe, past)), over(-least))
 let solid_half_torus = off(filled(cut(solid(ring), across((0, 0, 0), (0, 0, 1)))), 3 * pi^2)
 let solid_torus_across = off(filled(cut(solid(ring), across((0, 0, 0), (1, 3, 0)))), 3 * pi^2)
 let block = solid(placed(box((0, 0, 0), (1, 1, 1))))

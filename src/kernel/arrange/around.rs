@@ -82,6 +82,14 @@ pub(crate) struct RaySearch<'a> {
 
 impl<'a> RaySearch<'a> {
     pub(crate) fn new(arrangement: &'a Arrangement) -> Self {
+        Self::of_groups(arrangement, |_| true)
+    }
+
+    /// That for the rings of some groups alone: nothing is told of others.
+    pub(crate) fn of_groups(
+        arrangement: &'a Arrangement,
+        is_asked: impl Fn(usize) -> bool,
+    ) -> Self {
         let edges = &arrangement.edges;
         let (mut pieces, mut first_pieces) = (Vec::new(), vec![0]);
         for (number, edge) in edges.iter().enumerate() {
@@ -97,7 +105,7 @@ impl<'a> RaySearch<'a> {
         }
         let mut by_group: BTreeMap<usize, (Bounds, Vec<PieceBox>)> = BTreeMap::new();
         for (number, EdgePiece { edge, bounds, .. }) in pieces.iter().enumerate() {
-            for &(group, passes) in &edges[*edge].passes {
+            for &(group, passes) in edges[*edge].passes.iter().filter(|pass| is_asked(pass.0)) {
                 let (whole, own) = by_group.entry(group).or_insert((*bounds, Vec::new()));
                 *whole = whole.union(*bounds);
                 let [low, high] = [bounds.min, bounds.max].map(|corner| [corner.x, corner.y]);
@@ -129,13 +137,15 @@ impl<'a> RaySearch<'a> {
         let own = before.crossings(ray, true)? + behind.crossings(ray, false)?;
         let around = self.groups_around(edge, ray.start);
         let mut windings = self.windings_ahead(number, &around, ray)?;
-        for &(group, passes) in edge.passes.iter().filter(|_| own != 0) {
+        let is_asked = |pass: &&(usize, i32)| self.place_of(pass.0).is_some();
+        let passes = || edge.passes.iter().filter(is_asked);
+        for &(group, passes) in passes().filter(|_| own != 0) {
             add(&mut windings, group, own * passes);
         }
         let along = DVec3::from_array(if axis == 0 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] });
         let leaves_left = 0.0 < tangent.cross(along).z;
         let mut other = windings.clone();
-        for &(group, passes) in &edge.passes {
+        for &(group, passes) in passes() {
             add(&mut other, group, if leaves_left { -passes } else { passes });
         }
         Some(if leaves_left { [windings, other] } else { [other, windings] })
@@ -178,12 +188,15 @@ impl<'a> RaySearch<'a> {
         let place = start.with_z(0.0);
         let mut around = Vec::new();
         self.boxes.visit_near(Bounds { min: place, max: place }, 0.0, |group| around.push(group));
-        let place_of =
-            |group: usize| self.groups.binary_search_by_key(&group, |own| own.group).ok();
-        around.extend(edge.passes.iter().filter_map(|&(group, _)| place_of(group)));
+        around.extend(edge.passes.iter().filter_map(|&(group, _)| self.place_of(group)));
         around.sort_unstable();
         around.dedup();
         around
+    }
+
+    /// The place of a group among those that are asked.
+    fn place_of(&self, group: usize) -> Option<usize> {
+        self.groups.binary_search_by_key(&group, |own| own.group).ok()
     }
 
     /// How often the rings of some groups go around the start of a ray by their edges but for one; none where a piece is

@@ -16,6 +16,16 @@ const HALVINGS: usize = 30;
 /// Nodes of the rule of each piece.
 const N_NODES: usize = 2 * SIXTEEN_NODES.len();
 
+/// Moments about a point, about another one from which the way to it leads.
+fn moved([area, x, y, xx, xy, yy]: Moments, way: DVec3) -> Moments {
+    let [first, second] = [x + area * way.x, y + area * way.y];
+    // The way to a place is the sum of both.
+    let xx = xx + (x + first) * way.x;
+    let yy = yy + (y + second) * way.y;
+    let xy = xy + x * way.y + second * way.x;
+    [area, first, second, xx, xy, yy]
+}
+
 /// Coordinates and velocities that are multiplied for the area, and for all moments.
 const AREA_FACTORS: usize = 2;
 const MOMENT_FACTORS: usize = 4;
@@ -73,9 +83,9 @@ impl Region {
         let about = self.loops[0].bounds().center();
         let mut sum = Moments::default();
         for border in &self.loops {
-            for (sum, moment) in sum.iter_mut().zip(border.moments(about)) {
-                *sum += moment;
-            }
+            // About its own middle what a small hole leaves is not rounding of where that is.
+            let own = border.bounds().center();
+            add(&mut sum, moved(border.moments(own), own - about));
         }
         let [area, x, y, xx, xy, yy] = sum;
         let (x, y) = (x / area, y / area);

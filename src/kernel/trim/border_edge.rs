@@ -178,6 +178,24 @@ impl FaceBorderEdge {
         Some((gap, self.curve.derivatives_at(parameter, 1)[1]))
     }
 
+    /// Whether a point of it is beside an end of it from which another edge leads the other way: of short edges such an
+    /// end is near though nothing runs beside them.
+    fn is_left_at_corner(&self, other: &Self, point: DVec3, reach: f64) -> bool {
+        let mut corners = self.ways_from_ends().into_iter();
+        let corner = corners.find(|(corner, _)| norm(point - *corner) <= 2.0 * reach);
+        corner.is_some_and(|(corner, ahead)| {
+            let ends = other.ways_from_ends().into_iter();
+            let mut ways = ends.filter(|(end, _)| norm(*end - corner) <= reach).peekable();
+            ways.peek().is_some() && ways.all(|(_, way)| way.dot(ahead) < 0.0)
+        })
+    }
+
+    /// Its ends, each with a way from there into it.
+    fn ways_from_ends(&self) -> [(DVec3, DVec3); 2] {
+        let [start, end] = [0.0, 1.0].map(|at| self.place(at));
+        [start, (end.0, -end.1)]
+    }
+
     /// Where it comes to a plane; of one that lies in it some places.
     pub(crate) fn places_in(&self, plane: Frame, tolerance: Tolerance) -> Vec<DVec3> {
         let height = |point: DVec3| (point - plane.origin()).dot(plane.z());
@@ -313,7 +331,9 @@ impl<'e> NeighbourSearch<'e> {
         let (edges, reach) = (self.edges, 2.0 * self.distance);
         let mut there = Vec::new();
         for other in self.boxes.beside(point, reach).into_iter().filter(|&i| i != own) {
-            if let Some((gap, way)) = edges[other].nearest(point, reach) {
+            if let Some((gap, way)) = edges[other].nearest(point, reach)
+                && !edges[own].is_left_at_corner(&edges[other], point, reach)
+            {
                 there.push(PlaceBeside { other, gap, way, point, along });
             }
         }

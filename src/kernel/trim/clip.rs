@@ -72,7 +72,7 @@ impl Face {
         let n_border: usize = rings.iter().map(|ring| ring.arcs.len()).sum();
         rings.extend(arcs.iter().map(|arc| Ring { group: BORDER + 1, arcs: vec![arc.clone()] }));
         let arrangement = Arrangement::of(&rings, Apart::Nothing, distance, 1)?;
-        let search = RaySearch::new(&arrangement);
+        let search = RaySearch::of_groups(&arrangement, |group| group == BORDER);
         let mut found = Vec::new();
         for (number, edge) in arrangement.edges.iter().enumerate() {
             let own = edge.passes.iter().any(|&(group, _)| group != BORDER);

@@ -32,6 +32,15 @@ struct EdgeCells {
     right: Option<usize>,
 }
 
+/// How an arc runs by the parts into which arcs divide a face.
+#[derive(Clone, Copy, Default)]
+pub(super) struct ArcCourse {
+    /// It runs along one, or within one.
+    pub(super) is_along: bool,
+    /// It has two of them beside it, or one on one side alone.
+    pub(super) is_between: bool,
+}
+
 /// Whether the face's own border winds around a place.
 fn is_within(around: &Windings) -> bool {
     around.iter().any(|&(group, winding)| group == BORDER && winding != 0)
@@ -83,7 +92,7 @@ impl Division {
             .into_iter()
             .filter_map(|(arc, end)| arc.checked_sub(n_border).map(|arc| (arc, end)));
         let loose: Vec<(usize, DVec3)> = loose.collect();
-        let search = RaySearch::new(&arrangement);
+        let search = RaySearch::of_groups(&arrangement, |group| group == BORDER);
         let mut inside = Vec::new();
         for cell in cells(&arrangement, tolerance)? {
             let around = cell.steps.iter().find_map(|&(edge, is_left)| {
@@ -187,27 +196,20 @@ impl Division {
         cells.iter().map(|&cell| self.cells[cell].region.clone()).collect()
     }
 
-    /// Whether any of some arcs runs along a part.
-    pub(super) fn has_along(&self, is_of: impl Fn(usize) -> bool) -> bool {
-        let is_border_of_cell = |cells: &EdgeCells| cells.left.or(cells.right).is_some();
-        self.arrangement.edges.iter().zip(self.beside()).enumerate().any(
-            |(number, (edge, cells))| {
-                let mut arcs =
-                    edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
-                let is_along = is_border_of_cell(&cells) || self.slits.contains(&number);
-                is_along && arcs.any(&is_of)
-            },
-        )
-    }
-
-    /// Whether any of some arcs has two parts beside it, or one on one side alone.
-    pub(super) fn has_between(&self, is_of: impl Fn(usize) -> bool) -> bool {
+    /// For each of `n_arcs` arcs how it runs by the parts.
+    pub(super) fn arc_courses(&self, n_arcs: usize) -> Vec<ArcCourse> {
         let part_of = |cell: Option<usize>| cell.map(|cell| self.root(cell));
-        self.arrangement.edges.iter().zip(self.beside()).any(|(edge, cells)| {
-            let mut arcs =
-                edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1));
-            part_of(cells.left) != part_of(cells.right) && arcs.any(&is_of)
-        })
+        let mut courses = vec![ArcCourse::default(); n_arcs];
+        for (number, (edge, cells)) in self.arrangement.edges.iter().zip(self.beside()).enumerate()
+        {
+            let [left, right] = [cells.left, cells.right].map(part_of);
+            let is_along = left.or(right).is_some() || self.slits.binary_search(&number).is_ok();
+            for arc in edge.passes.iter().filter_map(|&(group, _)| group.checked_sub(BORDER + 1)) {
+                courses[arc].is_along |= is_along;
+                courses[arc].is_between |= left != right;
+            }
+        }
+        courses
     }
 
     /// How many parts there are.

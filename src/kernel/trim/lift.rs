@@ -9,7 +9,7 @@ use crate::{
     Curve, CurveFunction, Direction, Frame, FunctionFailure, GeomError, Interval, Jet, NurbsCurve,
     NurbsSurface, ParametricCurve, Tolerance,
     curve::join_pieces,
-    frame::norm,
+    frame::{norm, unit},
     jet,
     tolerance::{EDGE_SHARE, LAST_BIT, PARAMETER_RELATIVE},
 };
@@ -183,6 +183,16 @@ pub(crate) fn affine_map(surface: &NurbsSurface) -> Option<DAffine3> {
     let translation = origin - by_u * u.start() - by_v * v.start();
     let matrix3 = DMat3::from_cols(by_u, by_v, DVec3::ZERO);
     Some(DAffine3 { matrix3, translation })
+}
+
+/// The map to u and v of a surface on which they are even everywhere, and to how far a place is from its plane.
+pub(super) fn parameters_map(surface: &NurbsSurface) -> Option<DAffine3> {
+    let DAffine3 { matrix3, translation } = affine_map(surface)?;
+    let [by_u, by_v] = [matrix3.x_axis, matrix3.y_axis];
+    let normal = unit(by_u.cross(by_v))?;
+    let back = DMat3::from_cols(by_u, by_v, normal).inverse();
+    let map = DAffine3 { matrix3: back, translation: -(back * translation) };
+    map.is_finite().then_some(map)
 }
 
 /// The parts of a lifted arc as one spline, within an eighth of a distance.

@@ -9,7 +9,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use glam::DVec3;
+use glam::{DAffine3, DMat3, DVec3};
 
 use super::{Face, lift::affine_map};
 use crate::{
@@ -121,7 +121,33 @@ impl Face {
     /// # Errors
     /// `MeasureError::NothingThere`, `MeasureError::TooLargeToMeasure`; `GeomError::Ended`.
     pub fn mass(&self) -> Result<MassProperties, GeomError> {
-        Self::mass_of(std::slice::from_ref(self))
+        self.plane_mass().map_or_else(|| Self::mass_of(std::slice::from_ref(self)), Ok)
+    }
+
+    /// The same of a face on a plane patch that is even everywhere, by integrals along its border.
+    fn plane_mass(&self) -> Option<MassProperties> {
+        let map = affine_map(&self.plane.surface)?;
+        let [part] = &self.parts[..] else { return None };
+        let flat = part.mass();
+        let [a, b] = self.plane.scales.map(f64::recip);
+        let map = map * DAffine3::from_scale(DVec3::new(a, b, 0.0));
+        let DAffine3 { matrix3: by, .. } = map;
+        let stretch = by.x_axis.cross(by.y_axis).length();
+        // The inertia is the trace of the second moments less these.
+        let turned = |m: DMat3, trace: f64| DMat3::from_diagonal(DVec3::splat(trace)) - m;
+        let trace = |m: DMat3| m.x_axis.x + m.y_axis.y + m.z_axis.z;
+        let spread = turned(flat.inertia, 0.5 * trace(flat.inertia));
+        let spread = by * spread * by.transpose() * stretch;
+        let amount = flat.amount * stretch;
+        let size = part.bounds().diagonal();
+        let cancelled = FLUX_BITS * LAST_BIT * size * size / flat.amount;
+        let mass = MassProperties {
+            amount,
+            centroid: map.transform_point3(flat.centroid),
+            inertia: turned(spread, trace(spread)),
+            relative_error: flat.relative_error.max(cancelled),
+        };
+        (amount.is_normal() && mass.inertia.is_finite()).then_some(mass)
     }
 
     /// Its area alone.

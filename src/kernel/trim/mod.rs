@@ -5,7 +5,7 @@
 //! what is within the tolerance there is within it in space, and all that cuts faces is the arrangement
 //! of plane arcs that regions are made by. `face` has the type, `loops` faces within loops of parameters,
 //! `split` those within loops in space and the parts into which cutters divide a face, by the arcs of `cutter_arcs`, or of
-//! `overlaid` where cutters lie on the face, that `pull` makes of curves, through poles by `pole`, over knots by `stretch`, to where others cut by `height`, and by `division`, where surfaces narrow to a point by `pinch`, `touch` tells why a cutter divides nothing, `measure` integrals over faces, `area_and_flux` several by one, of round surfaces by `round_area`, `strip` what those of others go
+//! `overlaid` where cutters lie on the face, that `pull` makes of curves, on plane patches by `on_plane`, through poles by `pole`, over knots by `stretch`, to where others cut by `height`, and by `division`, where surfaces narrow to a point by `pinch`, `touch` tells why a cutter divides nothing, `measure` integrals over faces, `area_and_flux` several by one, of round surfaces by `round_area`, `strip` what those of others go
 //! along, `mesh` their triangles and `joined` those of faces and surfaces side by side, `border` their edges in
 //! space by arcs of parameters that `lift` takes there, by `conic` as the conics that they are, `extremum` what of them is nearest or reaches farthest by what `bounded` tells of parts,
 //! `clip` what of curves lies on them, `beside` what is at a distance beside them, `continuity` how they go on in others, `shell` what they enclose together where `border_edge` finds that they are
@@ -37,6 +37,7 @@ mod lift;
 mod loops;
 mod measure;
 mod mesh;
+mod on_plane;
 mod overlaid;
 mod pinch;
 mod plane;

@@ -117,6 +117,10 @@ impl PulledCurve<'_> {
         {
             return Ok(arcs);
         }
+        if let Some(arc) = self.arc_on_plane()? {
+            let is_place = self.curve.bounds().diagonal() <= self.tolerance;
+            return Ok(if is_place { Vec::new() } else { vec![arc] });
+        }
         self.sections()?.into_iter().map(|section| self.fitted(section)).collect()
     }
 

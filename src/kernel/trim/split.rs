@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::{
     Face, FaceError,
-    division::Division,
+    division::{ArcCourse, Division},
     loops::check_larger,
     pull::{ArcParameters, MOST_BESIDE, arcs_on_surface},
     touch::Undivided,
@@ -305,11 +305,16 @@ impl Face {
     ) -> Result<Result<Division, Undivided>, GeomError> {
         let distance = self.distance(tolerance);
         let division = Division::of(self, arcs, distance, 1).map_err(self.in_space())?;
-        for index in 0..n_cutters {
-            let is_its = |arc: usize| cutter_of[arc] == index;
-            if division.has_between(is_its) {
+        let mut courses = vec![ArcCourse::default(); n_cutters];
+        for (course, &index) in division.arc_courses(arcs.len()).iter().zip(cutter_of) {
+            courses[index].is_along |= course.is_along;
+            courses[index].is_between |= course.is_between;
+        }
+        for (index, course) in courses.into_iter().enumerate() {
+            if course.is_between {
                 continue;
             }
+            let is_its = |arc: usize| cutter_of[arc] == index;
             // What runs over the rest of the surface alone does not meet the face.
             let is_within = |place: DVec3| {
                 let parameters = self.plane.parameters(place);
@@ -318,7 +323,7 @@ impl Face {
             let ends = division.loose.iter().filter(|&&(arc, end)| is_its(arc) && is_within(end));
             let ends: Vec<DVec3> = ends.map(|&(_, end)| self.plane.point(end)).collect();
             // What runs around a ring opens it, but leaves it one part.
-            if !ends.is_empty() || !division.has_along(is_its) {
+            if !ends.is_empty() || !course.is_along {
                 return Ok(Err(Undivided { index, ends }));
             }
         }

@@ -70,7 +70,7 @@ impl PulledCurve<'_> {
 
     /// The line between the ends of a stretch where all of it is that; of one parameter alone where it is.
     pub(super) fn straight(&self, [start, end]: Section) -> Result<Option<NurbsCurve>, GeomError> {
-        let ((from, first), (to, mut last)) = (start, end);
+        let ((from, first), (to, last)) = (start, end);
         let way = last - first;
         let length = norm(way);
         if length <= PULL_SHARE * self.tolerance {
@@ -88,8 +88,15 @@ impl PulledCurve<'_> {
                 }
             }
         }
-        let bounds = self.plane.bounds();
-        let mut first = first;
+        self.line_between([first, last]).map(Some)
+    }
+
+    /// The line between two places; of one parameter alone where it is, at the end of its domain where that is.
+    pub(super) fn line_between(
+        &self,
+        [mut first, mut last]: [DVec3; 2],
+    ) -> Result<NurbsCurve, GeomError> {
+        let (bounds, way) = (self.plane.bounds(), last - first);
         for i in 0..2 {
             if way[i].abs() <= self.accuracy {
                 let is_end = last[i] <= bounds.min[i] || bounds.max[i] <= last[i];
@@ -97,6 +104,6 @@ impl PulledCurve<'_> {
                     if is_end { (last[i], last[i]) } else { (first[i], first[i]) };
             }
         }
-        NurbsCurve::line(first, last).map(Some)
+        NurbsCurve::line(first, last)
     }
 }

@@ -1,9 +1,9 @@
 //! Curves of parameters that a curve's own parameter tells: along a line of constant parameter that it goes along
 //! evenly, and on a plane patch.
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DVec3};
 
-use super::{super::lift::affine_map, piece::Carrier};
+use super::{super::lift::parameters_map, piece::Carrier};
 use crate::{KnotVector, NurbsCurve, NurbsSurface, tolerance::PLACE_RELATIVE};
 
 /// Where in a span of the curve it is looked at which parameters it has there.
@@ -11,15 +11,10 @@ const LOOKS: [f64; 2] = [0.25, 0.75];
 
 /// The parameters along a curve on a surface, if they are of that kind; how far they miss it is another question.
 pub(super) fn even_parameters(curve: &NurbsCurve, surface: &NurbsSurface) -> Option<NurbsCurve> {
-    match affine_map(surface) {
+    match parameters_map(surface) {
         Some(map) if !curve.is_rational() => {
-            let DAffine3 { matrix3, translation } = map;
-            let [by_u, by_v] = [matrix3.x_axis, matrix3.y_axis];
-            let back = DMat3::from_cols(by_u, by_v, by_u.cross(by_v)).inverse();
-            let flat = DMat3::from_diagonal(DVec3::new(1.0, 1.0, 0.0));
-            let matrix3 = flat * back;
-            let map = DAffine3 { matrix3, translation: -(matrix3 * translation) };
-            map.is_finite().then(|| curve.transformed(&map))
+            let flat = DAffine3::from_scale(DVec3::new(1.0, 1.0, 0.0));
+            Some(curve.transformed(&(flat * map)))
         }
         _ => along_line(curve, surface),
     }

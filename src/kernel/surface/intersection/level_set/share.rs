@@ -59,20 +59,26 @@ pub(super) fn found<'s>(
     tolerance: f64,
     size: f64,
 ) -> Result<(SurfacePair<'s>, SharedParts), GeomError> {
-    let [least, more @ ..] = SHARES;
-    let mut crossing = SurfacePair::new(surfaces, [tolerance, least], size);
-    let mut found = SharedParts::default();
-    let mut sorted = found.sort_pairs(&crossing, seams);
-    for share in more {
+    let with_share = |share: f64| {
+        let crossing = SurfacePair::new(surfaces, [tolerance, share], size);
+        let mut found = SharedParts::default();
+        let sorted = found.sort_pairs(&crossing, seams);
         let is_tangled = matches!(sorted, Err(GeomError::Picture(PictureError::TooTangled { .. })));
-        if !(is_tangled && found.has_looser) {
-            break;
-        }
-        crossing = SurfacePair::new(surfaces, [tolerance, share], size);
-        found = SharedParts::default();
-        sorted = found.sort_pairs(&crossing, seams);
+        let needs_more = is_tangled && found.has_looser;
+        (sorted.map(|()| (crossing, found)), needs_more, is_tangled)
+    };
+    let [least, middle, most] = SHARES;
+    let (found, needs_more, _) = with_share(least);
+    if !needs_more {
+        return found;
     }
-    sorted.map(|()| (crossing, found))
+    // What the most of it does not tell, less of it does not either.
+    let (loosest, _, is_tangled) = with_share(most);
+    if is_tangled {
+        return loosest;
+    }
+    let (found, needs_more, _) = with_share(middle);
+    if needs_more { loosest } else { found }
 }
 
 impl SharedParts {
