@@ -97,8 +97,9 @@ impl BandedSystem {
 
     /// The equations, ready to be solved; `None` where they contradict or repeat one another.
     pub(crate) fn factored(mut self) -> Option<Self> {
-        for k in 0..self.len() {
-            self.eliminate(k)?;
+        let n = self.len();
+        for k in 0..n {
+            self.eliminate(k, n)?;
         }
         Some(self)
     }
@@ -112,9 +113,8 @@ impl BandedSystem {
         row * self.width + self.lower + column - row
     }
 
-    /// Clears column `k` below the diagonal.
-    fn eliminate(&mut self, k: usize) -> Option<()> {
-        let n = self.len();
+    /// Clears column `k` below the diagonal; `n` is how many unknowns there are, which takes a division to ask for.
+    fn eliminate(&mut self, k: usize, n: usize) -> Option<()> {
         let last_row = (k + self.lower).min(n - 1);
         let last_column = (k + self.width - 1 - self.lower).min(n - 1);
         if self.exchanged.is_some() {
