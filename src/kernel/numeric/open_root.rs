@@ -25,7 +25,7 @@ pub(super) struct OpenRoot {
 /// that is narrow beside the whole is one root, in its middle. A pole or a step in the narrowest parts is none.
 ///
 /// # Errors
-/// Those of the function; a jump over zero; a stretch along which it is zero.
+/// Those of the function, but for poles at which it has no value; a jump over zero; a stretch along which it is zero.
 pub(super) fn roots_in_open<E>(
     bounds: &mut impl FnMut([f64; 2]) -> Option<Enclosure>,
     function: &mut impl FnMut(f64) -> Result<f64, E>,
@@ -54,7 +54,18 @@ pub(super) fn roots_in_open<E>(
     let mut is_zero = |at: f64| is_zero(bounds, around(at));
     let mut roots = Vec::new();
     for part in parts {
-        let found = find_root(&mut *function, part);
+        let mut last = part[0];
+        let looked_at = |at: f64| {
+            last = at;
+            function(at)
+        };
+        let found = find_root(looked_at, part);
+        if matches!(found, Err(RootError::Function(_)))
+            && is_narrowest
+            && is_pole(function, interval, last)
+        {
+            continue;
+        }
         let zeros = match &found {
             Err(RootError::NoRoot { nearest, .. }) => Some([nearest.at; 2]),
             Err(RootError::Jump { sides: [a, b] }) if is_narrow => Some([a.at, b.at]),
@@ -90,6 +101,20 @@ fn is_step<E>(
     }
     let stays = |end: f64, side: f64| SHARE_OF_STEP * end.abs() <= side.abs();
     Ok(stays(function(low)?, before.value) && stays(function(high)?, behind.value))
+}
+
+/// Whether a function that has no value at a place does not come near zero around it: from the ends of an interval to
+/// both neighbours it keeps its sign, and its size or more.
+fn is_pole<E>(
+    function: &mut impl FnMut(f64) -> Result<f64, E>,
+    [low, high]: [f64; 2],
+    at: f64,
+) -> bool {
+    let mut stays = |end: f64, side: f64| match (function(end), function(side)) {
+        (Ok(end), Ok(side)) => 0.0 < end * side && SHARE_OF_STEP * end.abs() <= side.abs(),
+        _ => false,
+    };
+    low < at && at < high && stays(low, at.next_down()) && stays(high, at.next_up())
 }
 
 /// Parts that are not divided further, and left open together around a step.

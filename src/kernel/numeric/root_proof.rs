@@ -230,6 +230,37 @@ mod tests {
     }
 
     #[test]
+    fn poles_at_which_a_function_has_no_value_are_passed_over() {
+        let interval = [5.1132, 7.2489];
+        let (root, pole) = (6.1229, 6.6196);
+        for order in [1, 2] {
+            let bounds = |interval| {
+                let x = Enclosure::variable(interval);
+                let under = x.plus(&constant(-pole)).power(f64::from(order))?;
+                x.plus(&constant(-root)).over(&under)
+            };
+            let value = |x: f64| {
+                let under = if order == 1 { x - pole } else { (x - pole) * (x - pole) };
+                if under == 0.0 { Err("division by zero") } else { Ok((x - root) / under) }
+            };
+            let found = RootProof::of(bounds, interval).roots(bounds, value, interval);
+            let found: Vec<f64> = found.expect("a root").iter().map(|root| root.at).collect();
+            assert!(found.len() == 1 && (found[0] - root).abs() < 1e-14, "{found:?}");
+        }
+        // What comes to zero at such a place is no pole, and nothing is said of it.
+        let bounds = |interval| {
+            let x = Enclosure::variable(interval).plus(&constant(-pole));
+            x.power(2.0)?.over(&x)
+        };
+        let value = |x: f64| {
+            let x = x - pole;
+            if x == 0.0 { Err("division by zero") } else { Ok(x * x / x) }
+        };
+        let found = RootProof::of(bounds, interval).roots(bounds, value, interval);
+        assert!(matches!(found, Err(RootError::Function(_))), "{found:?}");
+    }
+
+    #[test]
     fn what_is_not_sure_is_not_claimed() {
         let touch =
             RootProof::of(|x| Enclosure::variable(x).plus(&constant(-0.7)).power(2.0), [0.0, 2.0]);

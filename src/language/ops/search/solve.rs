@@ -150,8 +150,9 @@ fn within_range(
         _ if bounded.is_some() => find_crossing(&mut ask, range.ends).map(|root| vec![root]),
         _ => find_root(&mut ask, range.ends).map(|root| vec![root]),
     };
-    if matches!(found, Err(RootError::NoRoot { .. })) && bounded.is_some() {
-        // Where it touches zero bounds tell better than samples, unless they are left open.
+    let may_tell = matches!(found, Err(RootError::NoRoot { .. } | RootError::Function(_)));
+    if may_tell && !is_all && bounded.is_some() {
+        // Where it touches zero, or has a pole, bounds tell better than samples, unless they are left open.
         let proof = proof.get_or_insert_with(|| RootProof::of(bounds, range.ends));
         let all = proof.roots(bounds, &mut ask, range.ends);
         found = match all.ok().and_then(|all| all.first().copied()) {
