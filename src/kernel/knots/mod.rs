@@ -217,7 +217,7 @@ impl KnotVector {
     pub fn span_at(&self, t: f64) -> usize {
         // Even knots need no search.
         let even = (t - self.knots[self.degree]) * self.reciprocals.mean_span;
-        let guess = self.degree + even as u32 as usize;
+        let guess = self.degree.saturating_add(even as u32 as usize);
         let is_inside = guess < self.n_points();
         if is_inside && self.knots[guess] <= t && t < self.knots[guess + 1] {
             return guess;

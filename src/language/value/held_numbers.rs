@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{
-    Number, Range, Record, Value,
+    Number, Range, Value,
     numbers::{NumberPlaces, OTHER_NUMBER, SparseNumbers, numbers},
 };
 use crate::kernel::{Curve, Grid, NurbsCurve, NurbsSurface, Surface};
@@ -133,9 +133,7 @@ impl<'d> NumbersMoved<'d> {
                 Value::list(items?)
             }
             Value::Record(record) => {
-                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
-                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
-                Value::Record(Arc::new(Record::new(fields?)))
+                Value::Record(Arc::new(record.mapped(|value| self.value(value))?))
             }
             other => other.clone(),
         })

@@ -11,7 +11,7 @@ use std::{ops::Range, sync::Arc};
 use glam::{DMat3, DVec3};
 
 use super::{
-    IntoValue, List, Record, Value, Vector,
+    IntoValue, List, Value, Vector,
     affine::{Differences, HALVINGS},
     affine_packs::{Packed, Reach, Way},
     given_points::{GivenPoint, GivenPoints},
@@ -286,9 +286,7 @@ impl Made {
                 Value::list(items?)
             }
             Value::Record(record) => {
-                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
-                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
-                Value::Record(Arc::new(Record::new(fields?)))
+                Value::Record(Arc::new(record.mapped(|value| self.value(value))?))
             }
             other => {
                 self.next(NumberPlaces::of([other]).points.len());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{IntoValue, JetRange, Number, Real, Record, Value, Vector};
+use super::{IntoValue, JetRange, Number, Real, Value, Vector};
 use crate::kernel::{
     Curve, Grid, Jet, NurbsCurve, NurbsSurface, PointSlopes, Surface, VariedCurve, VariedSurface,
 };
@@ -279,9 +279,7 @@ impl<'s> NumberSlopes<'s> {
                 Value::list(items?)
             }
             Value::Record(record) => {
-                let field = |(label, value)| Some((Arc::from(label), self.value(value)?));
-                let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
-                Value::Record(Arc::new(Record::new(fields?)))
+                Value::Record(Arc::new(record.mapped(|value| self.value(value))?))
             }
             other => other.clone(),
         })

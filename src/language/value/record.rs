@@ -44,6 +44,12 @@ impl Record {
         record
     }
 
+    /// The record of what becomes of each value; none where nothing becomes of one.
+    pub(crate) fn mapped(&self, mut of: impl FnMut(&Value) -> Option<Value>) -> Option<Self> {
+        let field = |(label, value): &(Arc<str>, Value)| Some((Arc::clone(label), of(value)?));
+        Some(Self::new(self.fields.iter().map(field).collect::<Option<Vec<_>>>()?))
+    }
+
     /// Where a label stands.
     fn place(&self, label: &str) -> Option<usize> {
         match &self.places {

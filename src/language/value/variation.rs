@@ -92,9 +92,7 @@ pub(super) fn moved(value: &Value, steps: Steps<'_>) -> Option<Value> {
             Value::List(items?.into_iter().collect::<List>())
         }
         Value::Record(record) => {
-            let field = |(label, value)| Some((Arc::from(label), moved(value, steps)?));
-            let fields: Option<Vec<(Arc<str>, Value)>> = record.iter().map(field).collect();
-            Value::Record(Arc::new(Record::new(fields?)))
+            Value::Record(Arc::new(record.mapped(|value| moved(value, steps))?))
         }
         other => other.clone(),
     })

@@ -308,10 +308,7 @@ fn quotient(value: &Value, dim: Dimension) -> Option<Value> {
             Value::list(items?)
         }
         Value::Record(record) => {
-            let field =
-                |(label, value): (&str, &Value)| Some((Arc::from(label), quotient(value, dim)?));
-            let fields: Option<Vec<_>> = record.iter().map(field).collect();
-            Value::Record(Arc::new(Record::new(fields?)))
+            Value::Record(Arc::new(record.mapped(|value| quotient(value, dim))?))
         }
         other => other.clone(),
     })

@@ -2,7 +2,7 @@
 
 use super::{
     super::{
-        Dimension,
+        Dimension, Record,
         variation::{are_alike, has_moving_knots, moved, sizes, with_form_of},
     },
     *,
