@@ -135,14 +135,9 @@ pub fn choose(
             };
             let loose = || ops.iter().find(loose);
             taking.find(has_places).or(first).or_else(loose).copied().ok_or_else(|| {
-                let mut wanted: Vec<String> = Vec::new();
-                for param in ops.iter().filter_map(|op| op.params.first()) {
-                    let phrase = param.ty.phrase();
-                    if !wanted.contains(&phrase) {
-                        wanted.push(phrase);
-                    }
-                }
-                format!("takes {}, found {}", wanted.join(" or "), value.phrase())
+                let firsts = ops.iter().filter_map(|op| op.params.first());
+                let wanted = Type::phrase_of_any(firsts.map(|param| param.ty));
+                format!("takes {wanted}, found {}", value.phrase())
             })
         }
         ([], None) => Err("is not there".to_owned()),

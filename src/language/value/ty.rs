@@ -173,9 +173,27 @@ impl Type {
             Self::List(of, 0) => format!("a list of {}", of.plural()),
             Self::List(of, least) => format!("a list of {least} or more {}", of.plural()),
             Self::Grid(of) => format!("a grid of {} (a list of rows)", of.plural()),
-            Self::OneOf(types) => join(named(types).map(|of| of.phrase()), "or"),
+            Self::OneOf(_) => Self::phrase_of_any([self].into_iter()),
             _ => format!("a {self}"),
         }
+    }
+
+    /// What any of these types may be, each told once: `a curve, a surface or a face`.
+    #[must_use]
+    pub fn phrase_of_any(types: impl Iterator<Item = Self>) -> String {
+        let mut wanted: Vec<String> = Vec::new();
+        for ty in types {
+            let alternatives = match ty {
+                Self::OneOf(types) => named(types).copied().collect(),
+                other => vec![other],
+            };
+            for phrase in alternatives.into_iter().map(Self::phrase) {
+                if !wanted.contains(&phrase) {
+                    wanted.push(phrase);
+                }
+            }
+        }
+        join(wanted.into_iter(), "or")
     }
 
     /// The words that it may be.

@@ -20,7 +20,7 @@ op! {
     }
     example "section([line((0, 0, -1), (0, 0, 1)), line((2, 0, -1), (2, 0, 3))], XY)" => "[(0, 0, 0), (2, 0, 0)]";
     example "len(section(box((0, 0, 0), (1, 1, 1)), plane((0, 0, 0.5), (0, 0, 1))))" => "4";
-    refuses "section([XY], XY)" => "E0301: `section` takes a curve or a surface or a face or a list of curves, surfaces or meshes or a mesh or a solid, found a list of 1 plane";
+    refuses "section([XY], XY)" => "E0301: `section` takes a curve, a surface, a face, a list of curves, surfaces or meshes, a mesh or a solid, found a list of 1 plane";
 }
 
 /// Whatever a plane cuts.

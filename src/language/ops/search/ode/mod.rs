@@ -39,7 +39,8 @@ op! {
         start: Spanned<Value>,
         /// The range of the variable.
         range: Spanned<Range>,
-        /// How far the curve may be off; the document's tolerance unless given.
+        /// How far the curve may be off; the document's tolerance unless given. Less than 1e-12 of the size of its
+        /// coordinates counts as that.
         tolerance: Option<Spanned<Length>>,
     }
     example "ode((t, p) => (-p.y, p.x), start = (1, 0), range = 0..pi).end ~= (-1, 0)" => "true";
