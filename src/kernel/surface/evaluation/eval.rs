@@ -157,20 +157,25 @@ impl NurbsSurface {
         [u, v]: [f64; 2],
         order: usize,
     ) -> Grid<DVec4> {
-        let basis_u = self.knots_u.basis_derivatives_on(span_u, u, order.min(self.degree_u()));
-        let basis_v = self.knots_v.basis_derivatives_on(span_v, v, order.min(self.degree_v()));
-        let contract = |k: usize, l: usize| {
+        let (n_u, n_v) = (self.degree_u() + 1, self.degree_v() + 1);
+        let contract = |basis_u: &[f64], basis_v: &[f64]| {
             let mut sum = DVec4::ZERO;
-            for (i, &n_u) in self.knots_u.support(span_u).zip(basis_u.row(k)) {
+            for (i, &n_u) in self.knots_u.support(span_u).zip(basis_u) {
                 let row = &self.control_points.row(i)[self.knots_v.support(span_v)];
-                for (&point, &n_v) in row.iter().zip(basis_v.row(l)) {
+                for (&point, &n_v) in row.iter().zip(basis_v) {
                     sum += point * (n_u * n_v);
                 }
             }
             sum
         };
-        Grid::from_fn(order + 1, order + 1, |k, l| {
-            if k < basis_u.n_rows() && l < basis_v.n_rows() { contract(k, l) } else { DVec4::ZERO }
+        self.knots_u.with_derivatives(span_u, u, order.min(n_u - 1), |rows_u| {
+            self.knots_v.with_derivatives(span_v, v, order.min(n_v - 1), |rows_v| {
+                Grid::from_fn(order + 1, order + 1, |k, l| {
+                    let [row_u, row_v] =
+                        [rows_u.chunks_exact(n_u).nth(k), rows_v.chunks_exact(n_v).nth(l)];
+                    row_u.zip(row_v).map_or(DVec4::ZERO, |(row_u, row_v)| contract(row_u, row_v))
+                })
+            })
         })
     }
 }
