@@ -6,7 +6,8 @@
 
 use super::{
     balance::{Attempt, Balance, STILL, Unbalanced},
-    search::{FitSearch, FittedCurve},
+    fitted::{FittedCurve, SlideTrail},
+    search::FitSearch,
     span_errors::SpanErrors,
 };
 use crate::{
@@ -126,31 +127,29 @@ impl FitSearch<'_> {
         knots: &KnotVector,
         parameters: &[f64],
     ) -> Option<FittedCurve> {
-        let mut last = self.fitted(knots, parameters.to_vec())?;
+        let first = self.fitted(knots, parameters.to_vec())?;
         if self.are_fixed {
-            return Some(last);
+            return Some(first);
         }
-        let (mut best, mut along) = (last.clone(), BALANCED_SLIDE_RELATIVE);
+        let (mut trail, mut along) = (SlideTrail::new(first), BALANCED_SLIDE_RELATIVE);
         for _ in 0..BALANCED_SLIDES {
-            if self.keeps(&best) || 1.0 < along {
+            if self.keeps(trail.best()) || 1.0 < along {
                 break;
             }
-            let Some(next) = self.slid(&last, along).filter(|next| next.squares < last.squares)
+            let last = trail.last();
+            let Some(next) = self.slid(last, along).filter(|next| next.squares < last.squares)
             else {
                 along *= 8.0;
                 continue;
             };
             along = (along / 4.0).max(BALANCED_SLIDE_RELATIVE);
             let is_idle = SLIDE_GAIN * last.worst <= next.worst;
-            if next.worst < best.worst {
-                best = next.clone();
-            }
+            trail.push(next);
             if is_idle {
                 break;
             }
-            last = next;
         }
-        Some(best)
+        Some(trail.into_best())
     }
 
     /// The curve of an attempt; where it does not come from one that was near, also from parameters as they are, if
