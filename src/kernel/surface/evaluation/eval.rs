@@ -158,24 +158,23 @@ impl NurbsSurface {
         order: usize,
     ) -> Grid<DVec4> {
         let (n_u, n_v) = (self.degree_u() + 1, self.degree_v() + 1);
-        let contract = |basis_u: &[f64], basis_v: &[f64]| {
-            let mut sum = DVec4::ZERO;
-            for (i, &n_u) in self.knots_u.support(span_u).zip(basis_u) {
-                let row = &self.control_points.row(i)[self.knots_v.support(span_v)];
-                for (&point, &n_v) in row.iter().zip(basis_v) {
-                    sum += point * (n_u * n_v);
-                }
-            }
-            sum
-        };
+        let n = order + 1;
+        let mut sums = vec![DVec4::ZERO; n * n];
         self.knots_u.with_derivatives(span_u, u, order.min(n_u - 1), |rows_u| {
             self.knots_v.with_derivatives(span_v, v, order.min(n_v - 1), |rows_v| {
-                Grid::from_fn(order + 1, order + 1, |k, l| {
-                    let [row_u, row_v] =
-                        [rows_u.chunks_exact(n_u).nth(k), rows_v.chunks_exact(n_v).nth(l)];
-                    row_u.zip(row_v).map_or(DVec4::ZERO, |(row_u, row_v)| contract(row_u, row_v))
-                })
-            })
-        })
+                for (i, row) in self.knots_u.support(span_u).enumerate() {
+                    let row = &self.control_points.row(row)[self.knots_v.support(span_v)];
+                    let of_rows = sums.chunks_exact_mut(n).zip(rows_u.chunks_exact(n_u));
+                    for (sums, basis_u) in of_rows {
+                        for (sum, basis_v) in sums.iter_mut().zip(rows_v.chunks_exact(n_v)) {
+                            for (&point, &n_v) in row.iter().zip(basis_v) {
+                                *sum += point * (basis_u[i] * n_v);
+                            }
+                        }
+                    }
+                }
+            });
+        });
+        Grid::from_rows_of(n, sums)
     }
 }
