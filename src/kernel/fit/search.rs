@@ -363,7 +363,17 @@ impl FitSearch<'_> {
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
     /// one found needs comes to it; else how far the nearest one misses.
-    pub(super) fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+    fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+        self.spread_while(best, n, &|_, _| true)
+    }
+
+    /// [`Self::spread`], as long as what one misses by and the least that others before it did are worth another.
+    pub(super) fn spread_while(
+        &mut self,
+        best: &FittedCurve,
+        n: usize,
+        is_worth_another: &dyn Fn(f64, f64) -> bool,
+    ) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         let mut least = f64::INFINITY;
         for _ in 0..KNOT_SPREADS {
@@ -372,7 +382,11 @@ impl FitSearch<'_> {
             if self.keeps(&trial) {
                 return Ok(trial);
             }
+            let goes_on = is_worth_another(trial.worst, least);
             least = least.min(trial.worst);
+            if !goes_on {
+                break;
+            }
             curve = trial.curve;
         }
         // Where there is none, nothing can be expected of more.
