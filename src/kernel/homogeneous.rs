@@ -83,6 +83,10 @@ pub(crate) fn weight_factors(net: &Grid<DVec4>) -> Option<[Vec<f64>; 2]> {
 
 /// Whether the weights differ by more than rounding.
 pub(crate) fn have_different_weights(points: &[DVec4]) -> bool {
+    let is_first = |point: &DVec4| point.w.to_bits() == points[0].w.to_bits();
+    if points.iter().all(is_first) {
+        return false;
+    }
     let low = points.iter().map(|point| point.w).fold(f64::INFINITY, f64::min);
     let high = points.iter().map(|point| point.w).fold(f64::NEG_INFINITY, f64::max);
     WEIGHT_RELATIVE * high < high - low
@@ -121,25 +125,29 @@ pub(crate) fn series(derivatives: &[DVec4]) -> Vec<DVec3> {
     series
 }
 
+/// Derivatives of a surface up to order two along u and v: more of them need memory of their own.
+const SECOND_ORDER: usize = 9;
+
 /// Derivatives in space from homogeneous derivatives, `[k][l]` by u and by v.
 ///
 /// Piegl & Tiller, *The NURBS Book*, A4.4, as the division of Taylor series in two variables.
 pub(crate) fn quotient_grid(derivatives: &Grid<DVec4>) -> Grid<DVec3> {
     let (n_rows, n_columns) = (derivatives.n_rows(), derivatives.n_columns());
-    let factorials: Vec<f64> = factorials().take(n_rows.max(n_columns)).collect();
-    let scaled = Grid::from_fn(n_rows, n_columns, |k, l| {
-        derivatives.get(k, l) / (factorials[k] * factorials[l])
-    });
-    let mut series: Vec<DVec3> = Vec::with_capacity(n_rows * n_columns);
+    let factorials: SmallVec<[f64; 4]> = factorials().take(n_rows.max(n_columns)).collect();
+    let mut scaled: SmallVec<[DVec4; SECOND_ORDER]> = derivatives.iter().copied().collect();
+    for (row, of_row) in scaled.chunks_exact_mut(n_columns).zip(&factorials) {
+        row.iter_mut().zip(&factorials).for_each(|(term, factorial)| *term /= of_row * factorial);
+    }
+    let mut series: SmallVec<[DVec3; SECOND_ORDER]> = SmallVec::with_capacity(n_rows * n_columns);
     for k in 0..n_rows {
         for l in 0..n_columns {
-            let mut sum = scaled.get(k, l).truncate();
+            let mut sum = scaled[k * n_columns + l].truncate();
             for i in 0..=k {
                 for j in usize::from(i == 0)..=l {
-                    sum -= scaled.get(i, j).w * series[(k - i) * n_columns + l - j];
+                    sum -= scaled[i * n_columns + j].w * series[(k - i) * n_columns + l - j];
                 }
             }
-            series.push(sum / scaled.get(0, 0).w);
+            series.push(sum / scaled[0].w);
         }
     }
     Grid::from_fn(n_rows, n_columns, |k, l| {

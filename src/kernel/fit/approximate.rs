@@ -3,12 +3,8 @@
 use glam::DVec3;
 
 use super::{
-    Ends, Interpolator,
-    interpolate::check_degree,
-    kinks::kinks,
-    least::Approximator,
-    parameters::check_loose_parameters,
-    search::{FitSearch, FittedCurve},
+    Ends, Interpolator, fitted::FittedCurve, interpolate::check_degree, kinks::kinks,
+    least::Approximator, parameters::check_loose_parameters, search::FitSearch,
 };
 use crate::{
     ConstructionReport, GeomError, KnotVector, NurbsCurve, ReportEntry, knots::check_points,

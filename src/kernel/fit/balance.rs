@@ -1,8 +1,7 @@
 //! What a search for a curve whose spans miss alike has found, and what it attempts next.
 
 use super::{
-    affine_length::by_affine_length,
-    search::{FitSearch, FittedCurve},
+    affine_length::by_affine_length, fitted::FittedCurve, search::FitSearch,
     span_errors::SpanErrors,
 };
 use crate::KnotVector;

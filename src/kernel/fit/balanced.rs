@@ -6,7 +6,8 @@
 
 use super::{
     balance::{Attempt, Balance, STILL, Unbalanced},
-    search::{FitSearch, FittedCurve},
+    fitted::{FittedCurve, SlideTrail},
+    search::FitSearch,
     span_errors::SpanErrors,
 };
 use crate::{
@@ -68,7 +69,9 @@ impl FitSearch<'_> {
     fn with_one_fewer(&mut self, first: FittedCurve) -> FittedCurve {
         let mut best = self.thinned_soon(first);
         while (self.degree + 2..=SINGLE_REMOVALS).contains(&best.n_control()) && 0 < self.left {
-            match self.spread(&best, best.n_control() - 1) {
+            // One that comes no nearer is the last.
+            let is_gain = |worst: f64, least: f64| worst < least;
+            match self.spread_while(&best, best.n_control() - 1, &is_gain) {
                 Ok(spread) => best = self.thinned_soon(spread),
                 Err(_) => break,
             }
@@ -126,31 +129,55 @@ impl FitSearch<'_> {
         knots: &KnotVector,
         parameters: &[f64],
     ) -> Option<FittedCurve> {
-        let mut last = self.fitted(knots, parameters.to_vec())?;
+        self.slid_while(knots, parameters, &|_, _| true)
+    }
+
+    /// A curve over the knots within the tolerance, to which the points slide while as many more slides as are left
+    /// would come there if each gained as much.
+    fn slid_within(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<FittedCurve> {
+        let tolerance = self.tolerance;
+        let leads_there = |[last, next]: [f64; 2], n_left: usize| {
+            (0..n_left).fold(next, |worst, _| next / last * worst) <= tolerance
+        };
+        let found = self.slid_while(knots, parameters, &leads_there)?;
+        self.keeps(&found).then_some(found)
+    }
+
+    /// [`Self::slid_soon`], as long as what two slides in turn miss by, and how many are left, are worth another.
+    fn slid_while(
+        &mut self,
+        knots: &KnotVector,
+        parameters: &[f64],
+        is_worth_another: &dyn Fn([f64; 2], usize) -> bool,
+    ) -> Option<FittedCurve> {
+        let first = self.fitted(knots, parameters.to_vec())?;
         if self.are_fixed {
-            return Some(last);
+            return Some(first);
         }
-        let (mut best, mut along) = (last.clone(), BALANCED_SLIDE_RELATIVE);
-        for _ in 0..BALANCED_SLIDES {
-            if self.keeps(&best) || 1.0 < along {
+        let (mut trail, mut along) = (SlideTrail::new(first), BALANCED_SLIDE_RELATIVE);
+        let mut is_first = true;
+        for n_left in (0..BALANCED_SLIDES).rev() {
+            if self.keeps(trail.best()) || 1.0 < along {
                 break;
             }
-            let Some(next) = self.slid(&last, along).filter(|next| next.squares < last.squares)
+            let last = trail.last();
+            let Some(next) = self.slid(last, along).filter(|next| next.squares < last.squares)
             else {
                 along *= 8.0;
                 continue;
             };
             along = (along / 4.0).max(BALANCED_SLIDE_RELATIVE);
             let is_idle = SLIDE_GAIN * last.worst <= next.worst;
-            if next.worst < best.worst {
-                best = next.clone();
-            }
-            if is_idle {
+            // The first may come from afar.
+            let is_last =
+                is_idle || !(is_first || is_worth_another([last.worst, next.worst], n_left));
+            trail.push(next);
+            if is_last {
                 break;
             }
-            last = next;
+            is_first = false;
         }
-        Some(best)
+        Some(trail.into_best())
     }
 
     /// The curve of an attempt; where it does not come from one that was near, also from parameters as they are, if
@@ -178,9 +205,7 @@ impl FitSearch<'_> {
             let costs = self.costs(&best.curve);
             let knots = best.curve.knots().clone();
             let without = |&(_, i): &(f64, usize)| {
-                let trial =
-                    self.slid_soon(&knots.without(knots.as_slice()[i]), &best.parameters)?;
-                self.keeps(&trial).then_some(trial)
+                self.slid_within(&knots.without(knots.as_slice()[i]), &best.parameters)
             };
             match costs.iter().take(BALANCED_KNOTS_TRIED).find_map(without) {
                 Some(trial) => best = trial,

@@ -59,11 +59,14 @@ pub(super) fn band_of_points(knots: &KnotVector, parameters: &[f64]) -> Option<B
         |reach: usize| all[reach + 1..].iter().zip(&parameters[..n.max(reach + 1) - reach - 1]);
     let before = (0..=degree).find(|&reach| ends(reach).all(|(end, t)| end <= t))?;
     let behind = (0..=degree).find(|&reach| starts(reach).all(|(start, t)| t <= start))?;
-    let mut band = BandedSystem::totally_positive(n, [before, behind]);
+    // One that is as wide on both sides is solved faster.
+    let reach = if before.max(behind) == 2 { [2; 2] } else { [before, behind] };
+    let mut band = BandedSystem::totally_positive(n, reach);
     for (i, (span, acting)) in each_span(knots, parameters).enumerate() {
         let first = span - knots.degree();
-        knots.with_basis_on(span, parameters[i], |values| {
-            band.add(i, acting.start, &values[acting.start - first..acting.end - first]);
+        knots.with_basis_on(span, parameters[i], |values| match acting.len() == values.len() {
+            true => band.add(i, first, values),
+            false => band.add(i, acting.start, &values[acting.start - first..acting.end - first]),
         });
     }
     band.factored()

@@ -5,7 +5,7 @@
 //! those of a spline through points, `sloped` with derivatives at the ends, `periodic`
 //! those of a closed one, `through` the splines, `moving` what they do where their points vary, `growth` the same asked for each control point, by the `leg_growths` of parameters,
 //! `varied_spline` the curves that vary so, `moving_grid` surfaces through grids by their `grid_lines`, `moving_surface` surfaces whose rows are splines, `moving_skin` of skins by the `section_steps` between their sections, `lagrange` the single polynomial. `least` comes nearest to points with a given basis,
-//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `balanced` does so by what the `span_errors` are, from parameters
+//! `slide` with the parameters too, `spread` makes that basis, `search` looks for the smallest that keeps a tolerance, `fitted` holds what it finds, `balanced` does so by what the `span_errors` are, from parameters
 //! by `affine_length`, and attempts what its `balance` tells, `sample` from some of many points, `kinks` where
 //! data have corners, and `approximate` puts these together; `surface` does it all for grids, `within` to a tolerance.
 
@@ -14,6 +14,7 @@ mod approximate;
 mod balance;
 mod balanced;
 mod equation;
+mod fitted;
 mod grid_lines;
 mod growth;
 mod interpolate;

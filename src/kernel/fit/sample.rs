@@ -2,10 +2,7 @@
 
 use glam::DVec3;
 
-use super::{
-    balance::Unbalanced,
-    search::{FitSearch, FittedCurve},
-};
+use super::{balance::Unbalanced, fitted::FittedCurve, search::FitSearch};
 use crate::{
     ceiling::{FIT_STEPS_A_POINT, NEWTON_STEPS},
     numeric::newton::{to_foot, within_limits},
@@ -122,9 +119,10 @@ impl FitSearch<'_> {
             true => parameters.to_vec(),
             false => self.feet_between(found, chosen, parameters),
         };
-        let places = found.curve.evaluator();
-        let pairs = self.points.iter().zip(&start);
-        let misses = pairs.map(|(point, &t)| places.point_at(t).distance(*point)).collect();
+        let mut misses = Vec::with_capacity(start.len());
+        found.curve.evaluator().each_point(&start, |place| {
+            misses.push(place.distance(self.points[misses.len()]));
+        });
         FittedCurve::new(found.curve.clone(), start, misses)
     }
 

@@ -3,7 +3,11 @@
 use glam::{DVec3, DVec4};
 
 use super::{
-    Ends, Interpolator, least::Approximator, slide::slid, span_errors::SpanErrors, spread,
+    Ends, Interpolator,
+    fitted::{FittedCurve, SlideTrail},
+    least::Approximator,
+    slide::slid,
+    spread,
 };
 use crate::{
     FitError, GeomError, KnotVector, NurbsCurve, Parametrization,
@@ -38,8 +42,9 @@ const LEAST_SPEED: f64 = 0.2;
 /// first to that around the second: that of half a circle is, and a little more.
 const MOST_DETOUR: f64 = 1.7;
 
-/// Parts of the way between two points.
+/// Parts of the way between two points, and pairs of points that are looked at together.
 const DETOUR_PARTS: usize = 4;
+const PAIRS_AT_ONCE: usize = 16;
 
 /// Halving stops at this share of the number of control points.
 const SHARE: usize = 64;
@@ -60,37 +65,6 @@ pub(super) struct FitSearch<'a> {
     pub(super) most: usize,
     /// Points that may still be looked at to save control points.
     pub(super) left: usize,
-}
-
-/// A curve fitted to the points.
-#[derive(Clone)]
-pub(super) struct FittedCurve {
-    pub(super) curve: NurbsCurve,
-    pub(super) parameters: Vec<f64>,
-    /// Distances of the points from the curve at their parameters.
-    misses: Vec<f64>,
-    pub(super) worst: f64,
-    /// The sum of their squares.
-    pub(super) squares: f64,
-    /// Point, first and second derivative of the curve at each parameter, where they were asked for.
-    places: Vec<[DVec3; 3]>,
-}
-
-impl FittedCurve {
-    pub(super) fn new(curve: NurbsCurve, parameters: Vec<f64>, misses: Vec<f64>) -> Self {
-        let worst = misses.iter().fold(0.0_f64, |worst, &miss| worst.max(miss));
-        let squares = misses.iter().map(|miss| miss * miss).sum();
-        Self { curve, parameters, misses, worst, squares, places: Vec::new() }
-    }
-
-    pub(super) fn n_control(&self) -> usize {
-        self.curve.control_points().len()
-    }
-
-    /// What the spans miss, if that falls with their width to the power of an order.
-    pub(super) fn span_errors(&self, order: f64) -> SpanErrors {
-        SpanErrors::new(self.curve.knots(), &self.parameters, &self.misses, order)
-    }
 }
 
 impl FitSearch<'_> {
@@ -159,45 +133,53 @@ impl FitSearch<'_> {
     /// Whether the curve makes no detour between two points: where parameters slide apart, no point
     /// holds it.
     fn goes_straight(&self, trial: &FittedCurve) -> bool {
-        let curve = trial.curve.evaluator();
-        let mut from = curve.point_at(trial.parameters[0]);
-        trial.parameters.windows(2).zip(self.points.windows(2)).all(|(ends, points)| {
-            let legs = (1..=DETOUR_PARTS).map(|k| {
-                let fraction = k as f64 / DETOUR_PARTS as f64;
-                let to = curve.point_at((1.0 - fraction) * ends[0] + fraction * ends[1]);
-                std::mem::replace(&mut from, to).distance(to)
-            });
-            let straight = points[0].distance(points[1]) + 2.0 * self.tolerance;
-            legs.sum::<f64>() <= MOST_DETOUR * straight
+        *trial.is_straight.get_or_init(|| {
+            let (curve, last) = (trial.curve.evaluator(), trial.parameters.len() - 1);
+            let mut from = curve.point_at(trial.parameters[0]);
+            (0..last).step_by(PAIRS_AT_ONCE).all(|first| {
+                let pairs = first..last.min(first + PAIRS_AT_ONCE);
+                let mut places = Vec::with_capacity(DETOUR_PARTS * pairs.len());
+                for ends in trial.parameters[first..=pairs.end].windows(2) {
+                    for k in 1..=DETOUR_PARTS {
+                        let fraction = k as f64 / DETOUR_PARTS as f64;
+                        places.push((1.0 - fraction) * ends[0] + fraction * ends[1]);
+                    }
+                }
+                let found = curve.points_at(&places);
+                let points = self.points[first..=pairs.end].windows(2);
+                found.chunks_exact(DETOUR_PARTS).zip(points).all(|(legs, points)| {
+                    let leg = |&to: &DVec3| std::mem::replace(&mut from, to).distance(to);
+                    let straight = points[0].distance(points[1]) + 2.0 * self.tolerance;
+                    legs.iter().map(leg).sum::<f64>() <= MOST_DETOUR * straight
+                })
+            })
         })
     }
 
     /// The nearest curve over the knots, to which the points slide while that helps.
     pub(super) fn trial(&mut self, knots: &KnotVector, parameters: &[f64]) -> Option<FittedCurve> {
-        let mut best = self.fitted(knots, parameters.to_vec())?;
+        let first = self.fitted(knots, parameters.to_vec())?;
         let are_many = MANY < self.points.len();
-        let is_far = are_many && NEAR * self.tolerance < best.worst;
+        let is_far = are_many && NEAR * self.tolerance < first.worst;
         if self.are_fixed || is_far {
-            return Some(best);
+            return Some(first);
         }
-        let (mut last, mut along, mut n_idle) = (best.clone(), SLIDE_RELATIVE, 0);
+        let (mut trail, mut along, mut n_idle) = (SlideTrail::new(first), SLIDE_RELATIVE, 0);
         for _ in 0..FIT_CORRECTIONS {
-            if self.keeps(&best) || n_idle == IDLE_STEPS || 1.0 < along {
+            if self.keeps(trail.best()) || n_idle == IDLE_STEPS || 1.0 < along {
                 break;
             }
-            match self.slid(&last, along).filter(|next| next.squares < last.squares) {
+            let last = trail.last();
+            match self.slid(last, along).filter(|next| next.squares < last.squares) {
                 Some(next) => {
                     along = (along / 4.0).max(SLIDE_RELATIVE);
                     n_idle = if next.squares < GAIN * last.squares { 0 } else { n_idle + 1 };
-                    if next.worst < best.worst {
-                        best = next.clone();
-                    }
-                    last = next;
+                    trail.push(next);
                 }
                 None => along *= 8.0,
             }
         }
-        Some(best)
+        Some(trail.into_best())
     }
 
     /// A step towards the nearest curve of the same knots, unless it comes to a stop on the way.
@@ -381,7 +363,17 @@ impl FitSearch<'_> {
 
     /// A curve of so many control points within the tolerance, if spreading the knots by what each
     /// one found needs comes to it; else how far the nearest one misses.
-    pub(super) fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+    fn spread(&mut self, best: &FittedCurve, n: usize) -> Result<FittedCurve, f64> {
+        self.spread_while(best, n, &|_, _| true)
+    }
+
+    /// [`Self::spread`], as long as what one misses by and the least that others before it did are worth another.
+    pub(super) fn spread_while(
+        &mut self,
+        best: &FittedCurve,
+        n: usize,
+        is_worth_another: &dyn Fn(f64, f64) -> bool,
+    ) -> Result<FittedCurve, f64> {
         let (mut curve, start) = (best.curve.clone(), best.parameters.clone());
         let mut least = f64::INFINITY;
         for _ in 0..KNOT_SPREADS {
@@ -390,7 +382,11 @@ impl FitSearch<'_> {
             if self.keeps(&trial) {
                 return Ok(trial);
             }
+            let goes_on = is_worth_another(trial.worst, least);
             least = least.min(trial.worst);
+            if !goes_on {
+                break;
+            }
             curve = trial.curve;
         }
         // Where there is none, nothing can be expected of more.

@@ -1,6 +1,6 @@
 //! Taking knots away from a curve that has more than its tolerance needs.
 
-use super::search::{FitSearch, FittedCurve};
+use super::{fitted::FittedCurve, search::FitSearch};
 use crate::{
     KnotVector, NurbsCurve,
     ceiling::{KNOTS_TRIED, SINGLE_REMOVALS},

@@ -3,7 +3,6 @@
 use std::ops::{Add, Mul, Sub};
 
 use super::{KnotVector, LocalParameter, SpanLookup};
-use crate::bernstein::binomials;
 
 /// The highest degree that is evaluated in powers: over half a span, rounding is at most 2ᵖ that
 /// of the coefficients.
@@ -39,25 +38,25 @@ where
 }
 
 /// The expansions of a Bézier form in powers of s about its start and of s − 1 about its end:
-/// `C(p, k)ΔᵏP₀` and `C(p, k)∇ᵏPₚ`, one after the other.
+/// `C(p, k)ΔᵏP₀` and `C(p, k)∇ᵏPₚ`, one after the other, added to others; the points are used up.
 ///
 /// Farin, *Curves and Surfaces for CAGD*, §5.8.
-pub(crate) fn in_powers<T>(mut points: Vec<T>) -> Vec<T>
+pub(crate) fn add_in_powers<T>(points: &mut [T], expansions: &mut Vec<T>)
 where
     T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
 {
-    let n = points.len();
-    let mut about_start = Vec::with_capacity(2 * n);
-    let mut about_end = Vec::with_capacity(n);
-    for (k, binomial) in binomials(n - 1).into_iter().enumerate() {
-        about_start.push(points[0] * binomial);
-        about_end.push(points[n - 1 - k] * binomial);
+    let (n, start) = (points.len(), expansions.len());
+    expansions.extend_from_slice(points);
+    expansions.extend_from_slice(points);
+    let mut binomial = 1.0;
+    for k in 0..n {
+        expansions[start + k] = points[0] * binomial;
+        expansions[start + n + k] = points[n - 1 - k] * binomial;
         for i in 1..n - k {
             points[i - 1] = points[i] - points[i - 1];
         }
+        binomial *= (n - 1 - k) as f64 / (k + 1) as f64;
     }
-    about_start.extend(about_end);
-    about_start
 }
 
 /// The functions of a basis expanded in powers, for degrees up to [`POWER_DEGREE`].
@@ -80,10 +79,11 @@ impl BasisExpansion {
         for span in knots.spans() {
             let mut halves = vec![[0.0; POWER_DEGREE + 1]; 2 * n];
             for function in 0..n {
-                let mut points = vec![0.0; n];
+                let (mut points, mut powers) = (vec![0.0; n], Vec::with_capacity(2 * n));
                 points[function] = 1.0;
                 convert_to_bezier(knots, span, &mut points);
-                for (all, of_function) in halves.iter_mut().zip(in_powers(points)) {
+                add_in_powers(&mut points, &mut powers);
+                for (all, of_function) in halves.iter_mut().zip(powers) {
                     all[function] = of_function;
                 }
             }

@@ -14,17 +14,16 @@ mod lookup;
 mod reciprocals;
 
 pub(crate) use checks::check_points;
+use checks::{check_multiplicities, disorder};
 pub use class::KnotClass;
-pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, convert_to_bezier, in_powers};
+pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, add_in_powers, convert_to_bezier};
 pub(crate) use fast::acting;
 pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
 use reciprocals::Reciprocals;
 
 use std::{ops::RangeInclusive, sync::Arc};
 
-use super::{
-    DegreeError, GeomError, Grid, InputError, Interval, KnotError, tolerance::KNOT_RELATIVE,
-};
+use super::{DegreeError, GeomError, Grid, Interval, KnotError, tolerance::KNOT_RELATIVE};
 
 /// From which side a place is approached, where the two sides can differ.
 ///
@@ -76,7 +75,7 @@ impl KnotVector {
     /// become equal to it.
     ///
     /// # Errors
-    /// [`DegreeError::DegreeTooHigh`], [`KnotError::TooFewKnots`], [`InputError::NotFinite`],
+    /// [`DegreeError::DegreeTooHigh`], [`KnotError::TooFewKnots`], `InputError::NotFinite`,
     /// [`KnotError::UnsortedKnots`], [`KnotError::DomainTooWide`], [`KnotError::EmptyDomain`],
     /// [`KnotError::KnotMultiplicity`].
     pub fn new(degree: usize, mut knots: Vec<f64>) -> Result<Self, GeomError> {
@@ -85,12 +84,10 @@ impl KnotVector {
         if got < needed {
             return Err(KnotError::TooFewKnots { degree, needed, got }.into());
         }
-        if let Some(index) = knots.iter().position(|knot| !knot.is_finite()) {
-            return Err(InputError::NotFinite { what: "knot", index }.into());
-        }
-        if let Some(i) = knots.windows(2).position(|pair| pair[1] < pair[0]) {
-            let (previous, knot) = (knots[i], knots[i + 1]);
-            return Err(KnotError::UnsortedKnots { index: i + 1, previous, knot }.into());
+        // Those in order are finite if the first and the last are.
+        let are_in_order = knots.windows(2).all(|pair| pair[0] <= pair[1]);
+        if !(are_in_order && knots[0].is_finite() && knots[got - 1].is_finite()) {
+            return Err(disorder(&knots));
         }
 
         let (start, end) = (knots[degree], knots[got - degree - 1]);
@@ -102,12 +99,17 @@ impl KnotVector {
         let domain = Interval::new(start, end)
             .map_err(|_| GeomError::Knots(KnotError::EmptyDomain { at: start }))?;
         let same = KNOT_RELATIVE * domain.length();
-        for i in 1..got {
-            if knots[i] - knots[i - 1] <= same {
-                knots[i] = knots[i - 1];
+        let (mut previous, mut is_changed) = (knots[0], false);
+        for knot in &mut knots[1..] {
+            if *knot - previous <= same {
+                is_changed |= knot.to_bits() != previous.to_bits();
+                *knot = previous;
             }
+            previous = *knot;
         }
-        check_multiplicities(degree, &knots)?;
+        if is_changed {
+            check_multiplicities(degree, &knots)?;
+        }
         Ok(Self::new_unchecked(degree, knots))
     }
 
@@ -395,16 +397,6 @@ impl KnotVector {
         }
         values[q] = carried;
     }
-}
-
-fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<(), GeomError> {
-    let is_same = |a: &f64, b: &f64| a.total_cmp(b).is_eq();
-    // They are sorted.
-    let mut ends = knots.iter().zip(&knots[degree + 1..]);
-    let Some(index) = ends.position(|(first, last)| is_same(first, last)) else { return Ok(()) };
-    let knot = knots[index];
-    let times = knots[index..].iter().take_while(|other| is_same(other, &knot)).count();
-    Err(KnotError::KnotMultiplicity { index, knot, times, most: degree + 1 }.into())
 }
 
 fn check_degree(degree: usize) -> Result<(), GeomError> {

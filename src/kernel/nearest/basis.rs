@@ -1,19 +1,20 @@
 //! Bernstein polynomials with their derivatives, and a patch combined by them.
 
 use glam::DVec4;
+use smallvec::{SmallVec, smallvec};
 
 /// Coefficients of a cubic: a number that the compiler knows makes loops faster.
 const CUBIC: usize = 4;
 
 /// Bernstein polynomials, and their first two derivatives.
 pub(super) struct Basis {
-    rows: [Vec<f64>; 3],
+    rows: [SmallVec<[f64; CUBIC]>; 3],
 }
 
 impl Basis {
     /// Room for those of a degree.
     pub(super) fn new(degree: usize) -> Self {
-        Self { rows: [(); 3].map(|()| vec![0.0; degree + 1]) }
+        Self { rows: [(); 3].map(|()| smallvec![0.0; degree + 1]) }
     }
 
     fn tabulated(&mut self, s: f64) -> [&[f64]; 3] {
@@ -25,19 +26,39 @@ impl Basis {
 /// A patch and its derivatives S, Su, Sv, Suu, Suv, Svv at a place; `bases` is room for those of its degrees.
 pub(super) fn sums(net: &[DVec4], bases: &mut [Basis; 2], place: [f64; 2]) -> [DVec4; 6] {
     let [along_u, along_v] = bases;
-    let is_cubic = [&*along_u, along_v].iter().all(|basis| basis.rows[0].len() == CUBIC);
-    match net.first_chunk::<{ CUBIC * CUBIC }>() {
-        Some(net) if is_cubic => {
-            let [u, v] = place.map(|s| {
-                let mut rows = [[0.0; CUBIC]; 3];
-                tabulate(rows.each_mut().map(|row| &mut row[..]), s);
-                rows
-            });
-            let [u, v] = [&u, &v].map(|rows| rows.each_ref().map(|row| &row[..]));
-            combined(net, u, v)
-        }
-        _ => combined(net, along_u.tabulated(place[0]), along_v.tabulated(place[1])),
+    let [n_u, n_v] = [&*along_u, along_v].map(|basis| basis.rows[0].len());
+    let cubic = |s: f64| {
+        let mut rows = [[0.0; CUBIC]; 3];
+        tabulate(rows.each_mut().map(|row| &mut row[..]), s);
+        rows
+    };
+    if (n_u, n_v) == (CUBIC, CUBIC)
+        && let Some(net) = net.first_chunk::<{ CUBIC * CUBIC }>()
+    {
+        let bases = place.map(cubic);
+        let [u, v] = bases.each_ref().map(|rows| rows.each_ref().map(|row| &row[..]));
+        return combined(net, u, v);
     }
+    if (n_u, n_v) == (1, CUBIC)
+        && let Some(net) = net.first_chunk::<CUBIC>()
+    {
+        let rows = cubic(place[1]);
+        return combined_row(net, rows.each_ref().map(|row| &row[..]));
+    }
+    let v = along_v.tabulated(place[1]);
+    if n_u == 1 { combined_row(net, v) } else { combined(net, along_u.tabulated(place[0]), v) }
+}
+
+/// [`combined`] of a single row, which does not change along u.
+#[inline(always)]
+fn combined_row(row: &[DVec4], [values, slopes, bends]: [&[f64]; 3]) -> [DVec4; 6] {
+    let mut sums = [DVec4::ZERO; 6];
+    for (j, &point) in row.iter().enumerate() {
+        sums[0] += point * values[j];
+        sums[2] += point * slopes[j];
+        sums[5] += point * bends[j];
+    }
+    sums
 }
 
 #[inline(always)]

@@ -11,14 +11,19 @@ use crate::{Direction, bernstein::binomials, tolerance::LAST_BIT};
 /// Roundings in a coefficient, for each coefficient along a side.
 const ROUNDINGS: f64 = 4.0;
 
+/// What makes plain products of Bernstein coefficients, and the other way round.
+#[derive(Debug)]
+pub(super) struct ProductFactors {
+    scale: Vec<f64>,
+    per: Vec<f64>,
+}
+
 /// Coefficients of |A|² and of w² for a part of a patch, and of more parts that wait.
-pub(super) struct DistanceBounds {
+pub(super) struct DistanceBounds<'a> {
     /// Coefficients along each direction.
     n: [usize; 2],
     n_points: [usize; 2],
-    /// What makes plain products of Bernstein coefficients, and the other way round.
-    scale: Vec<f64>,
-    per: Vec<f64>,
+    factors: &'a ProductFactors,
     scaled: Vec<DVec4>,
     squares: Vec<f64>,
     weights: Vec<f64>,
@@ -29,20 +34,27 @@ pub(super) struct DistanceBounds {
     waiting: Vec<f64>,
 }
 
-impl DistanceBounds {
+impl ProductFactors {
     /// For patches of these degrees.
     pub(super) fn new(degrees: [usize; 2]) -> Self {
         let products = |degrees: [usize; 2]| -> Vec<f64> {
             let [of_u, of_v] = degrees.map(binomials);
             of_u.iter().flat_map(|u| of_v.iter().map(move |v| u * v)).collect()
         };
+        let per = products(degrees.map(|degree| 2 * degree)).iter().map(|x| 1.0 / x).collect();
+        Self { scale: products(degrees), per }
+    }
+}
+
+impl<'a> DistanceBounds<'a> {
+    /// For patches of these degrees, with their factors.
+    pub(super) fn new(degrees: [usize; 2], factors: &'a ProductFactors) -> Self {
         let n = degrees.map(|degree| 2 * degree + 1);
         let size = n[0] * n[1];
         Self {
             n,
             n_points: degrees.map(|degree| degree + 1),
-            scale: products(degrees),
-            per: products(degrees.map(|degree| 2 * degree)).iter().map(|x| 1.0 / x).collect(),
+            factors,
             scaled: Vec::new(),
             squares: vec![0.0; size],
             weights: vec![0.0; size],
@@ -55,7 +67,8 @@ impl DistanceBounds {
     /// The whole of a patch waits; its net is seen from the place that is asked for.
     pub(super) fn start(&mut self, net: &[DVec4]) {
         self.scaled.clear();
-        self.scaled.extend(net.iter().zip(&self.scale).map(|(&point, &scale)| point * scale));
+        self.scaled
+            .extend(net.iter().zip(&self.factors.scale).map(|(&point, &scale)| point * scale));
         let (n_rows, n_columns) = (self.n_points[0], self.n_points[1]);
         self.squares.fill(0.0);
         self.weights.fill(0.0);
@@ -74,7 +87,7 @@ impl DistanceBounds {
                 }
             }
         }
-        let per = self.squares.iter_mut().zip(&mut self.weights).zip(&self.per);
+        let per = self.squares.iter_mut().zip(&mut self.weights).zip(&self.factors.per);
         for ((square, weight), per) in per {
             *square *= per;
             *weight *= per;

@@ -7,12 +7,13 @@
 //! convex with λ the square of its distance; otherwise the patch is halved. So the answer does not
 //! hang on a guess, minima on the boundary are found like all others, and nothing is sampled.
 //!
-//! `tree` has the boxes, `spans` what makes patches, `patch` a patch and the minimum on a part of it, `basis` its
-//! derivatives, `gap` the polynomial.
+//! `tree` has the boxes, `search` walks over them, `spans` has what makes patches, `patch` a patch and the minimum on a
+//! part of it, `basis` its derivatives, `gap` the polynomial.
 
 mod basis;
 mod gap;
 mod patch;
+mod search;
 mod spans;
 mod tree;
 
@@ -20,43 +21,24 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
-use super::{
-    Grid, KnotVector,
-    tolerance::{LAST_BIT, NEAREST_RELATIVE},
-};
-use crate::{Direction, ceiling::NEAREST_LENIENCIES, ceiling::PATCH_HALVINGS, work};
-use gap::DistanceBounds;
+use crate::{Grid, KnotVector, homogeneous};
+use gap::ProductFactors;
 use patch::BezierPatch;
 pub(crate) use patch::{FootVector, PatchPart, descend};
-use spans::{DirectionSpans, KnotSpan};
+use search::ClosestPointSearch;
+use spans::DirectionSpans;
 pub(crate) use tree::BoxedPiece;
 use tree::PatchTree;
 
-/// Parts looked at before the search becomes content with less, of all for one place and of a patch for all. Only where a
-/// whole line is nearly equally near, askew to the parameters, are there that many.
-const MANY_PARTS: usize = 1000;
-
-/// How many times less the search is content with after that many parts.
-const LENIENCY: f64 = 8.0;
-
-/// Parts after which planes too are tried to keep a part away, and whatever comes nearer is gone down from.
-const EASY_PARTS: usize = MANY_PARTS / 8;
-
-/// Parts looked at, whatever comes: for the sake of numbers out of range.
-const MOST_PARTS: usize = 100 * MANY_PARTS;
-
-/// Last bits of the coordinates that what was placed in space may be off.
-const COORDINATE_ROUNDINGS: f64 = 16.0;
-
-/// Fourth powers of larger coordinates have no place among the numbers.
-const LARGE: f64 = (1_u128 << 120) as f64 * (1_u128 << 120) as f64;
-
-/// A tensor-product spline prepared to be searched; a curve has a single column.
+/// A tensor-product spline prepared to be searched; a curve has a single row.
 #[derive(Debug)]
 pub(crate) struct ClosestPointTree {
     along: [DirectionSpans; 2],
     tree: PatchTree,
     magnitude: f64,
+    /// The largest coordinate of the places of control points.
+    control_magnitude: f64,
+    factors: ProductFactors,
 }
 
 /// Parameters of a spline.
@@ -82,7 +64,7 @@ pub(crate) enum SearchTarget {
 impl ClosestPointTree {
     /// Prepares a curve.
     pub(crate) fn of_curve(knots: &KnotVector, points: &[DVec4]) -> Self {
-        Self::new([DirectionSpans::new(knots), DirectionSpans::single()], 1, points)
+        Self::new([DirectionSpans::single(), DirectionSpans::new(knots)], points.len(), points)
     }
 
     /// Prepares a surface.
@@ -96,7 +78,19 @@ impl ClosestPointTree {
             patch.take(&along, spans, (points, n_columns), (DVec3::ZERO, 1.0));
             patch.bounds()
         });
-        Self { magnitude: tree.magnitude(), along, tree }
+        let largest = |&point| homogeneous::place(point).abs().max_element();
+        Self {
+            factors: ProductFactors::new([along[0].degree, along[1].degree]),
+            magnitude: tree.magnitude(),
+            control_magnitude: points.iter().map(largest).fold(0.0, f64::max),
+            along,
+            tree,
+        }
+    }
+
+    /// The largest coordinate of the places of its control points.
+    pub(crate) fn control_magnitude(&self) -> f64 {
+        self.control_magnitude
     }
 
     /// The pairs of a patch of this spline and one of another whose boxes are within a distance of one
@@ -123,272 +117,11 @@ impl ClosestPointTree {
         p: DVec3,
         wanted: SearchTarget,
     ) -> SplineParameters {
-        let size = self.magnitude.max(p.abs().max_element());
-        let unit = if size < LARGE { 1.0 } else { 1.0 / size };
-        let degrees = [self.along[0].degree, self.along[1].degree];
-        let rounding = NEAREST_RELATIVE * size * unit;
-        let best = match wanted {
-            SearchTarget::OneWithin(distance) => distance * unit + rounding,
-            SearchTarget::One | SearchTarget::AllWithin(_) => f64::INFINITY,
-        };
-        let mut search = ClosestPointSearch {
-            whole: self,
-            points,
-            n_columns: points.len() / self.n_rows(),
-            p,
-            unit,
-            wanted: SearchTarget::One,
-            rounding,
-            best,
-            found: Vec::new(),
-            stretches: Vec::new(),
-            patch: BezierPatch::new(degrees),
-            gap: DistanceBounds::new(degrees),
-            todo: Vec::new(),
-            n_parts: 0,
-            alike: 0.0,
-            is_crowded: false,
-        };
-        search.run();
-        search.improve();
-        if let SearchTarget::AllWithin(tolerance) = wanted {
-            // Only with the least distance known are parts left out that are further away: of a curve
-            // that winds around the place nearly all of it is nearly equally far.
-            search.wanted = SearchTarget::AllWithin(tolerance * unit);
-            search.n_parts = 0;
-            let nearest = search.found.clone();
-            search.run();
-            if search.is_crowded {
-                // A stretch is nearly equally near, and no minimum on it is clear: within the tolerance it is one.
-                (search.found, search.alike) = (nearest, tolerance * unit);
-                search.stretches.clear();
-                search.n_parts = 0;
-                search.run();
-            }
-        }
-        search.finish()
+        ClosestPointSearch::new(self, points, p, wanted).places(wanted)
     }
 
     fn n_rows(&self) -> usize {
         let last = self.along[0].spans.len() - 1;
         self.along[0].spans[last].first + self.along[0].degree + 1
-    }
-}
-
-/// One search.
-struct ClosestPointSearch<'a> {
-    whole: &'a ClosestPointTree,
-    points: &'a [DVec4],
-    n_columns: usize,
-    p: DVec3,
-    /// Lengths are multiplied by this.
-    unit: f64,
-    wanted: SearchTarget,
-    /// What a distance may be wrong by.
-    rounding: f64,
-    best: f64,
-    /// Patches by their spans, and places on them.
-    found: Vec<([usize; 2], [f64; 2])>,
-    /// Patches by their spans, and the corners of parts that are equally near everywhere.
-    stretches: Vec<([usize; 2], [[f64; 2]; 2])>,
-    patch: BezierPatch,
-    gap: DistanceBounds,
-    todo: Vec<PatchPart>,
-    n_parts: usize,
-    /// Distances that differ by less are equal.
-    alike: f64,
-    /// Whether a patch had so many parts that equal is what is within the tolerance.
-    is_crowded: bool,
-}
-
-impl ClosestPointSearch<'_> {
-    fn run(&mut self) {
-        let mut nodes = vec![(0.0, self.whole.tree.root())];
-        self.is_crowded = false;
-        while (self.has_nothing() || work::goes_on(1))
-            && !self.is_crowded
-            && let Some((least, node)) = nodes.pop()
-        {
-            if self.limit() < least {
-                continue;
-            }
-            match self.whole.tree.children(node) {
-                Some(children) => {
-                    let mut pair = children
-                        .map(|child| (self.whole.tree.least(child, self.p, self.unit), child));
-                    if pair[0].0 < pair[1].0 {
-                        pair.swap(0, 1);
-                    }
-                    nodes.extend(pair);
-                }
-                None => self.look_at_patch(self.whole.tree.spans(node)),
-            }
-        }
-    }
-
-    /// Whether anything is of interest, however far away.
-    fn has_nothing(&self) -> bool {
-        self.found.is_empty() && self.best.is_infinite()
-    }
-
-    /// What is further away than this is of no interest.
-    fn limit(&self) -> f64 {
-        match self.wanted {
-            SearchTarget::AllWithin(tolerance) => self.best + tolerance,
-            SearchTarget::One | SearchTarget::OneWithin(_) => {
-                let many = (self.n_parts / MANY_PARTS).min(NEAREST_LENIENCIES);
-                let leniency = (0..many).fold(1.0, |all, _| all * LENIENCY);
-                self.best - self.rounding * leniency
-            }
-        }
-    }
-
-    fn look_at_patch(&mut self, spans: [usize; 2]) {
-        let whole = self.whole;
-        let net = (self.points, self.n_columns);
-        self.patch.take(&whole.along, spans, net, (self.p, self.unit));
-        if self.patch.is_beyond(self.limit()) {
-            return;
-        }
-        self.gap.start(self.patch.net());
-        self.todo.push(PatchPart::whole([whole.along[0].degree, whole.along[1].degree]));
-        let n_before = self.n_parts;
-        while (self.has_nothing() || work::goes_on(1))
-            && let Some(cell) = self.todo.pop()
-        {
-            self.gap.next();
-            self.n_parts += 1;
-            let finds_all = matches!(self.wanted, SearchTarget::AllWithin(_)) && self.alike <= 0.0;
-            if finds_all && MANY_PARTS < self.n_parts - n_before {
-                self.is_crowded = true;
-                self.todo.clear();
-                return;
-            }
-            let before = self.best;
-            self.note_corners(cell, spans);
-            if EASY_PARTS < self.n_parts && self.best < before {
-                self.descend_from_found();
-            }
-            if let Some(direction) = self.direction_to_halve(cell, spans) {
-                let is_left_nearer = self.gap.halve(direction);
-                let [left, right] = cell.halves(direction);
-                self.todo.extend(if is_left_nearer { [right, left] } else { [left, right] });
-            }
-        }
-    }
-
-    /// The squares of the distances of the corners are among the coefficients, with their rounding: the root of
-    /// that is far more than a distance is wrong by, so that a corner that may be nearer is looked at itself.
-    fn note_corners(&mut self, cell: PatchPart, spans: [usize; 2]) {
-        for corner in [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0], [1.0, 1.0]] {
-            let limit = self.best * self.best;
-            if !self.has_nothing() && !self.gap.may_be_below(corner, limit) {
-                continue;
-            }
-            let place = cell.at(corner);
-            let squared = self.patch.squared_at(place);
-            if squared < limit || self.has_nothing() {
-                self.note(place, squared.sqrt(), spans);
-            }
-        }
-    }
-
-    /// Goes down on the whole patch from the place that was found last: where a valley is askew to the parameters the
-    /// corners of parts come nearer to its lowest place by the size of a part each.
-    fn descend_from_found(&mut self) {
-        let degrees = [self.whole.along[0].degree, self.whole.along[1].degree];
-        if let Some(&(spans, place)) = self.found.last() {
-            let minimum =
-                self.patch.minimum(PatchPart::whole(degrees), place, self.rounding, f64::INFINITY);
-            if minimum.squared < self.best * self.best {
-                self.note(minimum.place, minimum.squared.sqrt(), spans);
-            }
-        }
-    }
-
-    /// Finds the minimum on a part that can have but one, and tells how to halve another.
-    fn direction_to_halve(&mut self, cell: PatchPart, spans: [usize; 2]) -> Option<Direction> {
-        let limit = self.limit();
-        let is_done = limit < 0.0 || MOST_PARTS < self.n_parts;
-        if is_done || self.gap.is_never_below(limit * limit) {
-            return None;
-        }
-        if EASY_PARTS < self.n_parts && self.patch.is_part_beyond(cell, limit) {
-            return None;
-        }
-        if matches!(self.wanted, SearchTarget::AllWithin(_)) && self.is_equally_near() {
-            // A whole stretch is equally near.
-            for place in [cell.low, cell.high] {
-                self.note(place, self.best, spans);
-            }
-            self.stretches.push((spans, [cell.low, cell.high]));
-            return None;
-        }
-        if self.gap.is_convex(limit * limit) {
-            let start = cell.at(self.gap.place_of_least());
-            let sought = self.distance_limit();
-            let minimum = self.patch.minimum(cell, start, self.rounding, sought);
-            if minimum.is_beyond {
-                return None;
-            }
-            self.note(minimum.place, minimum.squared.sqrt(), spans);
-            if minimum.is_stationary && self.gap.is_convex(minimum.squared) {
-                return None;
-            }
-        }
-        self.gap.direction_to_halve(cell.n_halvings, PATCH_HALVINGS)
-    }
-
-    /// Whether all of the part is as far away as the nearest, up to the rounding of coordinates or to what is alike.
-    fn is_equally_near(&mut self) -> bool {
-        let size = self.whole.magnitude.max(self.p.abs().max_element()) * self.unit;
-        let rounding = (COORDINATE_ROUNDINGS * LAST_BIT * size).max(self.alike);
-        let of_square = (2.0 * self.best + rounding) * rounding;
-        self.gap.is_nothing(self.best * self.best, of_square)
-    }
-
-    /// What is further away than this is not kept.
-    fn distance_limit(&self) -> f64 {
-        match self.wanted {
-            SearchTarget::One | SearchTarget::OneWithin(_) => self.best,
-            SearchTarget::AllWithin(_) => self.limit(),
-        }
-    }
-
-    fn note(&mut self, place: [f64; 2], distance: f64, spans: [usize; 2]) {
-        if !self.has_nothing() && self.distance_limit() < distance {
-            return;
-        }
-        if let SearchTarget::One = self.wanted {
-            self.found.clear();
-        }
-        self.best = self.best.min(distance);
-        self.found.push((spans, place));
-    }
-
-    /// The one nearest place, which may be nearest up to rounding only, improved as far as that goes.
-    fn improve(&mut self) {
-        let along = &self.whole.along;
-        if let &[(spans, place)] = &self.found[..] {
-            self.patch.take(along, spans, (self.points, self.n_columns), (self.p, self.unit));
-            let cell = PatchPart::whole([along[0].degree, along[1].degree]);
-            self.found[0].1 = self.patch.minimum(cell, place, self.rounding, f64::INFINITY).place;
-        }
-    }
-
-    /// The parameters of what was found.
-    fn finish(&self) -> SplineParameters {
-        let along = &self.whole.along;
-        let parameters = |spans: [usize; 2], place: [f64; 2]| {
-            [0, 1].map(|direction| {
-                let KnotSpan { start, end, .. } = along[direction].spans[spans[direction]];
-                start * (1.0 - place[direction]) + end * place[direction]
-            })
-        };
-        let single = self.found.iter().map(|&(spans, place)| parameters(spans, place)).collect();
-        let of_stretch = |&(spans, ends): &([usize; 2], [[f64; 2]; 2])| {
-            ends.map(|place| parameters(spans, place))
-        };
-        SplineParameters { single, stretches: self.stretches.iter().map(of_stretch).collect() }
     }
 }

@@ -117,14 +117,13 @@ impl PatchPart {
 impl BezierPatch {
     pub(super) fn new(degrees: [usize; 2]) -> Self {
         let net = vec![DVec4::ZERO; (degrees[0] + 1) * (degrees[1] + 1)];
-        let (part, places) = (Vec::with_capacity(net.len()), Vec::with_capacity(net.len()));
         Self {
             degrees,
             strip: net.clone(),
             net,
             has_one_weight: false,
-            part,
-            places,
+            part: Vec::new(),
+            places: Vec::new(),
             bases: degrees.map(Basis::new),
         }
     }

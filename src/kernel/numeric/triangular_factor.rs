@@ -124,9 +124,9 @@ struct EquationBlock {
 
 impl EquationBlock {
     fn push(&mut self, shares: &[f64]) {
-        let places = self.columns.iter_mut().skip(self.len).step_by(BLOCK_EQUATIONS);
-        let padded = shares.iter().copied().chain(std::iter::repeat(0.0));
-        places.zip(padded).for_each(|(place, share)| *place = share);
+        for (j, column) in self.columns.chunks_exact_mut(BLOCK_EQUATIONS).enumerate() {
+            column[self.len] = shares.get(j).copied().unwrap_or(0.0);
+        }
         self.len += 1;
     }
 

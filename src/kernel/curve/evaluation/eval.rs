@@ -43,12 +43,37 @@ impl NurbsCurve {
 
     /// Derivatives at `t` of the piece of one span.
     pub(in crate::curve) fn derivatives_on(&self, span: usize, t: f64, order: usize) -> Vec<DVec3> {
+        if order <= 2 {
+            return self.second_order_on(span, t)[..=order].to_vec();
+        }
         let homogeneous = self.homogeneous_derivatives(span, t, order);
         if self.is_rational {
             return homogeneous::quotient(&homogeneous);
         }
         let weight = homogeneous[0].w;
         homogeneous.iter().map(|derivative| derivative.truncate() / weight).collect()
+    }
+
+    /// Point, first and second derivative at `t` of the piece of one span, without allocation up to degree 7.
+    ///
+    /// Piegl & Tiller, *The NURBS Book*, (4.8).
+    fn second_order_on(&self, span: usize, t: f64) -> [DVec3; 3] {
+        let [value, slope, bend] = self.knots.with_derivative_rows(span, t, |rows: [&[f64]; 3]| {
+            let mut sums = [DVec4::ZERO; 3];
+            for (i, &point) in acting(&self.control_points, span, rows[0]).iter().enumerate() {
+                for (sum, row) in sums.iter_mut().zip(rows) {
+                    *sum += point * row[i];
+                }
+            }
+            sums
+        });
+        if !self.is_rational {
+            return [value, slope, bend].map(|derivative| derivative.truncate() / value.w);
+        }
+        let point = value.truncate() / value.w;
+        let first = (slope.truncate() - point * slope.w) / value.w;
+        let second = bend.truncate() - first * (2.0 * slope.w) - point * bend.w;
+        [point, first, second / value.w]
     }
 
     /// Point and first derivative at `t`, as [`Self::derivatives_at`] tells them, without allocation.
@@ -140,6 +165,32 @@ mod tests {
     use glam::{DVec3, DVec4};
 
     use crate::{KnotVector, curve::NurbsCurve, frame::norm};
+
+    #[test]
+    fn few_derivatives_are_the_first_of_more_to_the_last_bit() {
+        for degree in 0..=9 {
+            let knots = KnotVector::uniform_clamped(degree, degree + 3, 2.0).expect("knots");
+            for is_rational in [false, true] {
+                let point = |i: usize| {
+                    let (x, w) =
+                        (i as f64, if is_rational { 1.0 + 0.3 * (i % 3) as f64 } else { 2.0 });
+                    DVec4::new(x, libm::sin(3.0 * x), 0.1 * x * x, 1.0) * w
+                };
+                let points: Vec<DVec4> = (0..degree + 3).map(point).collect();
+                let curve = NurbsCurve::new(knots.clone(), points).expect("a curve");
+                for t in curve.domain().steps(24) {
+                    let many = curve.derivatives_at(t, 4);
+                    for order in 0..3 {
+                        assert_eq!(
+                            curve.derivatives_at(t, order),
+                            many[..=order],
+                            "degree {degree}"
+                        );
+                    }
+                }
+            }
+        }
+    }
 
     #[test]
     fn speeds_of_many_are_those_of_each_to_the_last_bit() {

@@ -12,7 +12,7 @@ use glam::{DVec3, DVec4};
 use crate::{
     curve::NurbsCurve,
     homogeneous,
-    knots::{BATCH, LocalParameter, POWER_DEGREE, SpanLookup, convert_to_bezier, in_powers},
+    knots::{BATCH, LocalParameter, POWER_DEGREE, SpanLookup, add_in_powers, convert_to_bezier},
 };
 
 /// A curve prepared to be evaluated at many parameters.
@@ -54,13 +54,15 @@ impl NurbsCurve {
         let degree = self.degree();
         let lookup = SpanLookup::of_halves(&self.knots);
         let mut coefficients = Vec::with_capacity(2 * self.n_segments() * (degree + 1));
+        let mut points = Vec::with_capacity(degree + 1);
         for span in self.knots.spans() {
-            let mut points = self.control_points[self.knots.support(span)].to_vec();
+            points.clear();
+            points.extend_from_slice(&self.control_points[self.knots.support(span)]);
             convert_to_bezier(&self.knots, span, &mut points);
             if degree <= POWER_DEGREE {
-                coefficients.extend(in_powers(points));
+                add_in_powers(&mut points, &mut coefficients);
             } else {
-                coefficients.extend(points);
+                coefficients.extend_from_slice(&points);
             }
         }
         CurveEvaluator { degree, is_rational: self.is_rational, lookup, coefficients }

@@ -76,7 +76,7 @@ impl NurbsCurve {
         let (parameter, found) = if is_plain {
             let wanted = SearchTarget::OneWithin(distance);
             let near = self.piece_boxes().places(&self.control_points, p, wanted);
-            let t = self.domain().without_dust(near.single.first()?[0]);
+            let t = self.domain().without_dust(near.single.first()?[1]);
             (t, norm(self.point_at(t) - p))
         } else {
             let foot = self.closest(p, distance);
@@ -96,13 +96,13 @@ impl NurbsCurve {
     fn closest_of_part(&self, p: DVec3, tolerance: f64) -> ClosestPoint {
         let nearest = self.piece_boxes();
         let near = nearest.places(&self.control_points, p, SearchTarget::AllWithin(tolerance));
-        let to_foot = |[t, _]: [f64; 2]| {
+        let to_foot = |[_, t]: [f64; 2]| {
             let t = self.domain().without_dust(t);
             (t, norm(self.point_at(t) - p))
         };
         let mut feet: Vec<(f64, f64)> = near.single.into_iter().map(to_foot).collect();
         let best = feet.iter().map(|&(_, distance)| distance).fold(f64::INFINITY, f64::min);
-        let rounding = LAST_BIT * (p.abs().max_element() + self.magnitude());
+        let rounding = LAST_BIT * (p.abs().max_element() + nearest.control_magnitude());
         feet.retain(|&(_, distance)| distance <= best + tolerance);
         // Other places on the way to them are dropped, unless there is nothing else.
         if feet.iter().any(|&(t, distance)| distance <= best + rounding && self.is_foot(t, p)) {
@@ -115,7 +115,7 @@ impl NurbsCurve {
         let parameter = first.map_or(self.domain().start(), |&(t, _)| t);
         let point = self.point_at(parameter);
         let is_near = |t: f64| norm(self.point_at(t) - p) <= best + tolerance;
-        let pieces = near.stretches.iter().map(|&[[start, _], [end, _]]| (start, end));
+        let pieces = near.stretches.iter().map(|&[[_, start], [_, end]]| (start, end));
         let pieces = pieces.filter(|&(start, end)| is_near(start) && is_near(end)).collect();
         let stretches = self.joined_stretches(pieces, tolerance);
         let count = self.different_places(&feet, &stretches, tolerance).max(1);

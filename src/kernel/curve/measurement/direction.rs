@@ -5,7 +5,8 @@ use glam::{DVec3, DVec4};
 use crate::{
     GeomError, Interval, LocalError, Side, Tolerance,
     curve::{
-        Curve, EvaluationPlace, LocalGeometry, NurbsCurve, ParametricCurve, evaluation::series,
+        Curve, EvaluationPlace, LocalGeometry, NurbsCurve, ParametricCurve,
+        evaluation::series::{self, Terms},
     },
     frame::{angle_between, norm, unit},
     homogeneous,
@@ -75,12 +76,12 @@ impl Curve {
         &self,
         around: EvaluationPlace,
     ) -> Result<LocalGeometry, GeomError> {
-        let derivatives = match self {
-            Self::Nurbs(curve) if curve.is_rational => curve.derivatives_of_shape(&around).to_vec(),
+        let derivatives: Terms<DVec3> = match self {
+            Self::Nurbs(curve) if curve.is_rational => curve.derivatives_of_shape(&around).into(),
             // A function may have a curvature, although no change of it.
             _ => match self.derivatives_around(&around, SHAPE_ORDER) {
-                Err(_) => self.derivatives_around(&around, SHAPE_ORDER - 1)?,
-                Ok(derivatives) => derivatives,
+                Err(_) => self.derivatives_around(&around, SHAPE_ORDER - 1)?.into(),
+                Ok(derivatives) => derivatives.into(),
             },
         };
         if around.first(&around.terms(&derivatives), 1, 0) == Some(1) {
@@ -212,19 +213,22 @@ impl NurbsCurve {
         let span = self.knots.span_beside(around.parameter, around.side);
         let support = &self.control_points[self.knots.support(span)];
         let orders = SHAPE_ORDER.min(self.degree());
-        let basis = self.knots.basis_derivatives_on(span, around.parameter, orders);
-        let sum = |k: usize, of: &dyn Fn(DVec4) -> DVec4| -> DVec4 {
-            if orders < k {
-                return DVec4::ZERO;
-            }
-            support.iter().zip(basis.row(k)).map(|(&point, &n)| of(point) * n).sum()
+        let sum = |basis: &[f64], of: &dyn Fn(DVec4) -> DVec4| -> DVec4 {
+            support.iter().zip(basis).map(|(&point, &n)| of(point) * n).sum()
         };
-        let value = sum(0, &|point| point);
-        let at = homogeneous::project(value);
-        // In one rounding: the products are large beside what is left of them.
-        let about =
-            |point: DVec4| (-at).mul_add(DVec3::splat(point.w), point.truncate()).extend(point.w);
-        let terms = [0, 1, 2, 3].map(|k| sum(k, &about) / value.w);
+        let (at, terms) = self.knots.with_derivatives(span, around.parameter, orders, |rows| {
+            let value = sum(&rows[..support.len()], &|point| point);
+            let at = homogeneous::project(value);
+            // In one rounding: the products are large beside what is left of them.
+            let about = |point: DVec4| {
+                (-at).mul_add(DVec3::splat(point.w), point.truncate()).extend(point.w)
+            };
+            let mut terms = [DVec4::ZERO; SHAPE_ORDER + 1];
+            for (term, row) in terms.iter_mut().zip(rows.chunks_exact(support.len())) {
+                *term = sum(row, &about) / value.w;
+            }
+            (at, terms)
+        });
         // What the point itself lost by rounding.
         let lost = terms[0].truncate();
         let [_, first, second, third] = terms.map(|term| term.truncate() - lost * term.w);

@@ -9,7 +9,10 @@ use glam::DVec3;
 
 use crate::{
     Frame, GeomError, LocalError, Side,
-    curve::{CircleForm, NurbsCurve, evaluation::series},
+    curve::{
+        CircleForm, NurbsCurve,
+        evaluation::series::{self, Terms},
+    },
     frame::norm,
     scale::scale_of,
 };
@@ -52,7 +55,7 @@ pub struct EvaluationPlace {
 
 impl EvaluationPlace {
     /// The terms of the Taylor series over the reach, which are lengths.
-    pub(in crate::curve) fn terms(&self, derivatives: &[DVec3]) -> Vec<DVec3> {
+    pub(in crate::curve) fn terms(&self, derivatives: &[DVec3]) -> Terms<DVec3> {
         derivatives.iter().zip(series::powers(self.reach)).map(|(&d, power)| d * power).collect()
     }
 
@@ -118,7 +121,7 @@ impl LocalGeometry {
         let extent = norm(terms[first]);
 
         // The velocity without the power of the parameter that vanishes, in units of the extent.
-        let velocity: Vec<DVec3> =
+        let velocity: Terms<DVec3> =
             (first..terms.len()).map(|k| terms[k] / extent * k as f64).collect();
         let speed = series::norms(&velocity);
         let direction = series::quotient(&velocity, &speed);
@@ -135,7 +138,7 @@ impl LocalGeometry {
 
         let bending = by_length(&direction, first + 1);
         let slope = bending.as_ref().and_then(|bending| by_length(bending, 2 * first + 1));
-        let leading = |terms: Option<Vec<DVec3>>| terms.and_then(|terms| terms.first().copied());
+        let leading = |terms: Option<Terms<DVec3>>| terms.and_then(|terms| terms.first().copied());
         let (bending, slope) = (leading(bending), leading(slope));
         let scale = scale_of(extent);
         let is_straight = |k: DVec3| norm(k) * extent <= around.rounding_of(2 * first);

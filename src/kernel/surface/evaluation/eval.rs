@@ -157,20 +157,24 @@ impl NurbsSurface {
         [u, v]: [f64; 2],
         order: usize,
     ) -> Grid<DVec4> {
-        let basis_u = self.knots_u.basis_derivatives_on(span_u, u, order.min(self.degree_u()));
-        let basis_v = self.knots_v.basis_derivatives_on(span_v, v, order.min(self.degree_v()));
-        let contract = |k: usize, l: usize| {
-            let mut sum = DVec4::ZERO;
-            for (i, &n_u) in self.knots_u.support(span_u).zip(basis_u.row(k)) {
-                let row = &self.control_points.row(i)[self.knots_v.support(span_v)];
-                for (&point, &n_v) in row.iter().zip(basis_v.row(l)) {
-                    sum += point * (n_u * n_v);
+        let (n_u, n_v) = (self.degree_u() + 1, self.degree_v() + 1);
+        let n = order + 1;
+        let mut sums = vec![DVec4::ZERO; n * n];
+        self.knots_u.with_derivatives(span_u, u, order.min(n_u - 1), |rows_u| {
+            self.knots_v.with_derivatives(span_v, v, order.min(n_v - 1), |rows_v| {
+                for (i, row) in self.knots_u.support(span_u).enumerate() {
+                    let row = &self.control_points.row(row)[self.knots_v.support(span_v)];
+                    let of_rows = sums.chunks_exact_mut(n).zip(rows_u.chunks_exact(n_u));
+                    for (sums, basis_u) in of_rows {
+                        for (sum, basis_v) in sums.iter_mut().zip(rows_v.chunks_exact(n_v)) {
+                            for (&point, &n_v) in row.iter().zip(basis_v) {
+                                *sum += point * (basis_u[i] * n_v);
+                            }
+                        }
+                    }
                 }
-            }
-            sum
-        };
-        Grid::from_fn(order + 1, order + 1, |k, l| {
-            if k < basis_u.n_rows() && l < basis_v.n_rows() { contract(k, l) } else { DVec4::ZERO }
-        })
+            });
+        });
+        Grid::from_rows_of(n, sums)
     }
 }

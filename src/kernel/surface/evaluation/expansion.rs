@@ -4,7 +4,7 @@ use glam::{DVec3, DVec4};
 
 use crate::{
     Grid, KnotVector, homogeneous,
-    knots::{BATCH, BasisExpansion, LocalParameter, SpanLookup, convert_to_bezier, in_powers},
+    knots::{BATCH, BasisExpansion, LocalParameter, SpanLookup, add_in_powers, convert_to_bezier},
 };
 
 /// A surface in powers.
@@ -23,11 +23,13 @@ impl SurfaceExpansion {
         let n_halves = 2 * knots.spans().count();
         let n_rows = control_points.n_rows();
         let mut rows = Vec::with_capacity(n_rows * n_halves * (knots.degree() + 1));
+        let mut points = Vec::with_capacity(knots.degree() + 1);
         for i in 0..n_rows {
             for span in knots.spans() {
-                let mut points = control_points.row(i)[knots.support(span)].to_vec();
+                points.clear();
+                points.extend_from_slice(&control_points.row(i)[knots.support(span)]);
                 convert_to_bezier(knots, span, &mut points);
-                rows.extend(in_powers(points));
+                add_in_powers(&mut points, &mut rows);
             }
         }
         let basis = BasisExpansion::new(knots_u);

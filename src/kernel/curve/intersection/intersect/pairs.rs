@@ -43,7 +43,7 @@ impl IntersectionSearch<'_> {
             [few, many].map(|curve| parts(curve).into_iter().map(Arc::new).collect());
         let starts: Vec<f64> = wholes[0].iter().map(|part| part.interval.start()).collect();
         let mut near = Vec::new();
-        for (piece, [j, _]) in many.piece_boxes().near_pieces(wholes[0].clone(), self.tolerance) {
+        for (piece, [_, j]) in many.piece_boxes().near_pieces(wholes[0].clone(), self.tolerance) {
             if piece.may_meet(&wholes[1][j], self.tolerance) {
                 let middle = piece.interval.at(0.5);
                 let i = starts.partition_point(|&start| start <= middle).saturating_sub(1);
