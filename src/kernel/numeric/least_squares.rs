@@ -8,7 +8,7 @@ use crate::{
     ceiling::LEAST_SQUARES_STEPS,
     tolerance::{
         DAMPING_FIRST, LAST_BIT, LEAST_PROBE_RELATIVE, SQUARES_AT_ROOT, SQUARES_IN_VALLEY,
-        STEP_REST_RELATIVE, SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE,
+        STEP_REST_RELATIVE,
     },
 };
 
@@ -39,18 +39,6 @@ pub struct LeastSquares {
     pub rest: f64,
     /// How often the functions were asked.
     pub n_evaluations: usize,
-}
-
-impl LeastSquares {
-    /// Whether next to nothing is left of what the functions were at the start, and one more step would lead nowhere.
-    pub fn is_root(&self) -> bool {
-        self.is_small() && self.rest <= SYSTEM_STEP_RELATIVE
-    }
-
-    /// Whether next to nothing is left of what the functions were at the start.
-    pub fn is_small(&self) -> bool {
-        largest(&self.residuals) <= SYSTEM_ROOT_RELATIVE * largest(&self.first_residuals)
-    }
 }
 
 /// Unknowns near a start for which the squares of several functions add up to least: zero, where there are
@@ -266,7 +254,7 @@ fn clamped(unknowns: &[f64], bounds: &[[f64; 2]]) -> Vec<f64> {
     inside
 }
 
-fn largest(all: &[f64]) -> f64 {
+pub(super) fn largest(all: &[f64]) -> f64 {
     all.iter().fold(0.0, |most: f64, part| most.max(part.abs()))
 }
 

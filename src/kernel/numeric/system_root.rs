@@ -2,8 +2,21 @@
 
 use super::{
     answers::{Answers, CountedFunctions, Wanted},
-    least_squares::{LeastSquares, find_least_squares},
+    least_squares::{LeastSquares, find_least_squares, largest},
 };
+use crate::tolerance::{SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE};
+
+impl LeastSquares {
+    /// Whether next to nothing is left of what the functions were at the start, and one more step would lead nowhere.
+    pub fn is_root(&self) -> bool {
+        self.is_small() && self.rest <= SYSTEM_STEP_RELATIVE
+    }
+
+    /// Whether next to nothing is left of what the functions were at the start.
+    pub fn is_small(&self) -> bool {
+        largest(&self.residuals) <= SYSTEM_ROOT_RELATIVE * largest(&self.first_residuals)
+    }
+}
 
 /// Functions as a search asks for them.
 type Asked<'a, E> = &'a mut dyn FnMut(&[f64], Wanted) -> Result<Answers, E>;
@@ -68,10 +81,10 @@ fn units<E>(
     bounds: &[[f64; 2]],
 ) -> Result<Vec<f64>, E> {
     let gradients = CountedFunctions::new(functions).gradients(start, bounds)?;
-    let largest = start.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let most = largest(start);
     let size = |x: &f64| match () {
         () if 0.0 < x.abs() => x.abs(),
-        () if 0.0 < largest => largest,
+        () if 0.0 < most => most,
         () => 1.0,
     };
     let is_unit = |unit: &f64| 0.0 < *unit && unit.is_finite();
