@@ -216,6 +216,7 @@ pub use numeric::{
     sample::Sample,
     slope::{Slope, find_slope},
     symmetric_eigen::principal_axes,
+    system_root::find_system_root,
     trajectory::{TrajectoryError, find_branched_trajectory, find_trajectory},
     trajectory_nodes::{Trajectory, TrajectoryNode},
 };

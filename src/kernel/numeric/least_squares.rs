@@ -254,7 +254,7 @@ fn clamped(unknowns: &[f64], bounds: &[[f64; 2]]) -> Vec<f64> {
     inside
 }
 
-fn largest(all: &[f64]) -> f64 {
+pub(super) fn largest(all: &[f64]) -> f64 {
     all.iter().fold(0.0, |most: f64, part| most.max(part.abs()))
 }
 

@@ -60,6 +60,7 @@ pub(crate) mod singular_values;
 pub(crate) mod slope;
 pub(crate) mod symmetric_band;
 pub(crate) mod symmetric_eigen;
+pub(crate) mod system_root;
 pub(crate) mod trajectory;
 pub(crate) mod trajectory_nodes;
 pub(crate) mod triangular_factor;

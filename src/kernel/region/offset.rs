@@ -187,9 +187,11 @@ impl Region {
         }
         let near = tolerance.distance_for(size).min(OFFSET_SHARE * distance.abs()).max(rounding);
         let tolerance = tolerance.with_distance(near);
+        // Where the plane has its origin beside the region, coordinates were rounded farther out.
+        let far = magnitude + norm(self.frame.origin());
         let mut front = Front::default();
         for border in &self.loops {
-            add_front(border, distance, corners, tolerance, &mut front)?;
+            add_front(border, (distance, far), corners, tolerance, &mut front)?;
         }
         let Front { arcs, wedges, corners } = front;
         let rings = [Ring { group: 0, arcs }];
@@ -225,10 +227,10 @@ impl Region {
     }
 }
 
-/// Adds the offsets of a loop's arcs and what goes about its corners.
+/// Adds the offsets of a loop's arcs, whose coordinates were rounded as far out as `far`, and what goes about its corners.
 fn add_front(
     border: &PlaneLoop,
-    distance: f64,
+    (distance, far): (f64, f64),
     corners: CornerStyle,
     tolerance: Tolerance,
     front: &mut Front,
@@ -236,7 +238,7 @@ fn add_front(
     let n = border.arcs.len();
     for (i, arc) in border.arcs.iter().enumerate() {
         for piece in lines_and_rounds(arc)? {
-            match piece.offset(distance, DVec3::Z, tolerance) {
+            match piece.offset_of_moved(distance, DVec3::Z, tolerance, far) {
                 Ok(offset) => {
                     let branches = offset.curve.parts_at(&offset.cusps)?.into_iter();
                     front.arcs.extend(branches.filter(|branch| !runs_back(branch, &piece)));

@@ -122,6 +122,8 @@ struct CurveOffsetTarget {
     accuracy: f64,
     /// A length that rounding of the coordinates may leave.
     rounding: f64,
+    /// How large the coordinates were when they were rounded.
+    magnitude: f64,
 }
 
 impl CurveOffsetTarget {
@@ -151,12 +153,25 @@ impl NurbsCurve {
         normal: DVec3,
         tolerance: Tolerance,
     ) -> Result<Offset, GeomError> {
+        self.offset_of_moved(distance, normal, tolerance, self.magnitude())
+    }
+
+    /// The same of a curve that was moved nearer to zero, and whose coordinates were rounded when they were as large as
+    /// `magnitude`: up to that an arc is one.
+    pub(crate) fn offset_of_moved(
+        &self,
+        distance: f64,
+        normal: DVec3,
+        tolerance: Tolerance,
+        magnitude: f64,
+    ) -> Result<Offset, GeomError> {
         let normal =
             unit(normal).ok_or(GeomError::Input(InputError::ZeroAxis { what: "the normal" }))?;
         self.check_connected()?;
         if let Some(factor) = self.unit_factor(&[]) {
             let tolerance = tolerance.with_distance(tolerance.distance * factor);
-            let found = self.in_units(factor).offset(distance * factor, normal, tolerance);
+            let (curve, distance) = (self.in_units(factor), distance * factor);
+            let found = curve.offset_of_moved(distance, normal, tolerance, magnitude * factor);
             return found.map(|found| found.in_units(factor)).map_err(|error| match error {
                 GeomError::Construction(ConstructionError::VanishingOffset { radius }) => {
                     GeomError::Construction(ConstructionError::VanishingOffset {
@@ -168,7 +183,7 @@ impl NurbsCurve {
         }
         let rounding = MOST_ROUNDINGS * LAST_BIT * (self.magnitude() + distance.abs());
         let accuracy = tolerance.distance.max(rounding);
-        let aim = CurveOffsetTarget { distance, normal, accuracy, rounding };
+        let aim = CurveOffsetTarget { distance, normal, accuracy, rounding, magnitude };
         if distance.abs() <= rounding {
             // Beside itself by less than its coordinates are rounded.
             return Ok(Offset { deviation: distance.abs(), ..Offset::exact(self.clone()) });

@@ -9,10 +9,8 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        GeomError, Jet, LeastSquares, LocalError, Wanted, find_least_squares, solve_linear,
-        tolerance::{
-            DIFFERENCE_RELATIVE, ROOT_BESIDE_RELATIVE, SYSTEM_ROOT_RELATIVE, SYSTEM_STEP_RELATIVE,
-        },
+        GeomError, Jet, LeastSquares, LocalError, Wanted, find_system_root, solve_linear,
+        tolerance::{DIFFERENCE_RELATIVE, ROOT_BESIDE_RELATIVE},
     },
     value::{At, Callback, CommonDimension, Ctx, Dimension, Real, Value},
 };
@@ -43,7 +41,7 @@ pub(super) fn solved(
         Ok(all.into_iter().map(|number| number.value).collect())
     };
     let mut is_start = true;
-    let found = find_least_squares(
+    let found = find_system_root(
         |values, wanted| {
             let wanted = if is_varying { Wanted::Values } else { wanted };
             let is_tried = !std::mem::replace(&mut is_start, false);
@@ -58,10 +56,7 @@ pub(super) fn solved(
         &unknowns.values,
         &bounds,
     )?;
-    let (left, first) = (size(&found.residuals), size(&found.first_residuals));
-    let is_small = left <= SYSTEM_ROOT_RELATIVE * first;
-    let is_root = is_small && found.rest <= SYSTEM_STEP_RELATIVE;
-    if first <= 0.0 && is_zero_around(&unknowns, &mut ask) {
+    if size(&found.first_residuals) <= 0.0 && is_zero_around(&unknowns, &mut ask) {
         let place = unknowns.rounded(&unknowns.values);
         let message = format!("what is to be 0 is 0 at the start, {place}, and all around it");
         return Diagnostic::error(Code::NoAnswer, function.span, message)
@@ -71,7 +66,7 @@ pub(super) fn solved(
     }
     check_count(&unknowns, &found, function.span, &mut ask)?;
     let is_overdetermined = unknowns.values.len() < found.residuals.len();
-    if is_root || is_overdetermined && found.is_settled {
+    if found.is_root() || is_overdetermined && found.is_settled {
         let reals = match is_varying {
             true => varying(&unknowns, &found, (start.span, function.span), &mut ask)?,
             false => found.unknowns.iter().copied().map(Real::Plain).collect(),
@@ -79,7 +74,7 @@ pub(super) fn solved(
         let of_residuals = if is_mixed { Dimension::NONE } else { common.dimension() };
         return Ok((unknowns.found_by(dim).with_reals(&reals), found, of_residuals));
     }
-    no_root(&unknowns, &found, start.span, (is_small, within.is_some()))
+    no_root(&unknowns, &found, start.span, within.is_some())
 }
 
 /// Whether the function yields as many numbers as before, one or more; the first count is kept.
@@ -104,11 +99,11 @@ fn no_root<T>(
     unknowns: &Unknowns,
     found: &LeastSquares,
     start: Span,
-    (is_small, is_bounded): (bool, bool),
+    is_bounded: bool,
 ) -> Result<T> {
     let [left, first] = [&found.residuals, &found.first_residuals].map(|values| size(values));
     let within = if is_bounded { " within the bounds" } else { "" };
-    let tends = if is_small { ": the functions only tend to 0, or come near" } else { "" };
+    let tends = if found.is_small() { ": the functions only tend to 0, or come near" } else { "" };
     let message = format!("no root was found from this start{within}{tends}");
     Diagnostic::error(Code::NoAnswer, start, message)
         .label(format!("the search ended at {}", unknowns.rounded(&found.unknowns)))

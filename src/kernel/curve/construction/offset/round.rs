@@ -25,7 +25,8 @@ pub(super) fn offset(
         return Ok(None);
     };
     let center = curve.start() + inward * radius;
-    if !is_arc(curve, center, radius, aim.normal) {
+    let slack = ROUND_RELATIVE * (radius + aim.magnitude);
+    if !is_arc(curve, (center, radius), aim.normal, slack) {
         return Ok(None);
     }
     let side = aim.side(curve.tangent_at(start, Side::Right)?, start)?;
@@ -42,8 +43,7 @@ pub(super) fn offset(
 }
 
 /// Whether each piece keeps the distance to the centre, in the plane normal to the normal.
-fn is_arc(curve: &NurbsCurve, center: DVec3, radius: f64, normal: DVec3) -> bool {
-    let slack = ROUND_RELATIVE * (radius + curve.magnitude());
+fn is_arc(curve: &NurbsCurve, (center, radius): (DVec3, f64), normal: DVec3, slack: f64) -> bool {
     curve.knots().spans().all(|span| {
         let arms: Vec<DVec4> = bezier::piece(curve.knots(), curve.control_points(), span)
             .into_iter()

@@ -12,7 +12,7 @@ use super::{
 use crate::{
     diag::{Code, Diagnostic, Result, Span, Spanned},
     kernel::{
-        Curve, Face, GeomError, Interval, Jet, Region, Side,
+        AreaStrip, Curve, Face, GeomError, Interval, Jet, Region, Side,
         ceiling::{INTEGRAL_LOOKS, INTEGRAL_LOOKS_OF_SEVERAL},
         glam::DVec3,
         tolerance::TURN_ACCURACY,
@@ -145,8 +145,19 @@ impl Domain {
         }
     }
 
+    /// The strips of which it consists if it is a region or a face.
+    pub(super) fn strips(&self) -> Result<Vec<AreaStrip<'_>>> {
+        match self {
+            Self::Region(region, span) => region.area_strips().at(*span),
+            Self::Face(face, span) => face.strips().at(*span),
+            Self::Box(_) | Self::Curve(..) | Self::Surface(..) => Ok(Vec::new()),
+        }
+    }
+
+    /// The integral over it, `strips` being its own.
     pub(super) fn integral(
         &self,
+        strips: &[AreaStrip<'_>],
         integrand: &mut Integrand<'_, '_>,
         tolerances: Tolerances,
     ) -> Result<Found> {
@@ -154,10 +165,7 @@ impl Domain {
             Self::Box(ranges) => over_box(ranges, &mut Vec::new(), integrand, tolerances),
             Self::Curve(curve, span) => along(curve, *span, integrand, tolerances),
             Self::Surface(surface, span) => across(surface, *span, integrand, tolerances),
-            Self::Region(region, span) => {
-                over_strips(&region.area_strips().at(*span)?, integrand, tolerances)
-            }
-            Self::Face(face, span) => over_strips(&face.strips().at(*span)?, integrand, tolerances),
+            Self::Region(..) | Self::Face(..) => over_strips(strips, integrand, tolerances),
         }
     }
 }
@@ -289,7 +297,7 @@ fn end_of(curve: &Curve, ends: [f64; 2], which: usize) -> std::result::Result<Ra
 }
 
 /// The parts of a domain between knots.
-fn pieces(domain: Interval, knots: Option<&[f64]>) -> Vec<[f64; 2]> {
+pub(super) fn pieces(domain: Interval, knots: Option<&[f64]>) -> Vec<[f64; 2]> {
     let mut places = vec![domain.start()];
     let inside = |knot: &&f64| domain.start() < **knot && **knot < domain.end();
     places.extend(knots.unwrap_or_default().iter().filter(inside));

@@ -124,6 +124,12 @@ impl<'a, 'c> Integrand<'a, 'c> {
         Ok(Found::exact(parts.iter().map(|part| factor.value() * part.value.value()).collect()))
     }
 
+    /// How large it is at a place, times a factor; nothing where it fails.
+    pub(super) fn size_at(&mut self, args: &[Value], factor: f64) -> f64 {
+        let size = self.at(args, &Real::Plain(factor)).map_or(0.0, |found| found.size);
+        if size.is_finite() { size } else { 0.0 }
+    }
+
     fn too_often<T>(&self, args: &[Value]) -> Result<T> {
         let message =
             format!("the integral does not settle within {INTEGRAL_EVALUATIONS} evaluations");

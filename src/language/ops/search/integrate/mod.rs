@@ -5,11 +5,13 @@ mod found;
 mod integrand;
 mod moving_cuts;
 mod moving_range;
+mod parts;
 mod strips;
 
 use domain::{Domain, domains};
-use found::{Found, Tolerances, shared};
+use found::Found;
 use integrand::Integrand;
+use parts::{Part, over_all};
 
 use super::Over;
 use crate::{
@@ -81,14 +83,15 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         Some(tolerance) => [EXACT_RELATIVE, tolerance.value.value],
         None => [INTEGRAL_RELATIVE, 0.0],
     };
+    let parts: Vec<Part<'_>> = domains.iter().map(Part::new).collect::<Result<_>>()?;
     let mut integrand = Integrand::new(ctx, &args.f);
-    let Found { value: values, error, .. } = over_all(&domains, &mut integrand, tolerances)?;
+    let Found { value: values, error, .. } = over_all(&parts, &mut integrand, tolerances)?;
     let n_asked = integrand.n_asked;
     let like = domains.iter().find_map(Domain::like);
     let mut reals: Vec<Real> = values.iter().copied().map(Real::Plain).collect();
     if let Some(like) = like.or_else(|| integrand.like.take().filter(|_| integrand.is_varying())) {
         integrand.carry(like.clone());
-        let flat = over_all(&domains, &mut integrand, tolerances)?.value;
+        let flat = over_all(&parts, &mut integrand, tolerances)?.value;
         let series = flat.chunks(like.coefficients().len());
         let jet = |(series, &value): (&[f64], &f64)| -> Jet {
             like.with_coefficients(series).with_value(value)
@@ -117,17 +120,4 @@ fn run(ctx: &mut Ctx<'_>, args: Args) -> Result<Value> {
         ("evaluations", Value::number(n_asked as f64)),
     ];
     Ok(Record::new(fields.map(|(label, value)| (label.into(), value))).into_value())
-}
-
-/// The integrals over all parts together.
-fn over_all(
-    domains: &[Domain],
-    integrand: &mut Integrand<'_, '_>,
-    tolerances: Tolerances,
-) -> Result<Found> {
-    let mut total = Found::default();
-    for domain in domains {
-        total = total.plus(domain.integral(integrand, shared(tolerances, domains.len()))?);
-    }
-    Ok(total)
 }

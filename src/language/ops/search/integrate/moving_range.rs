@@ -62,6 +62,15 @@ impl MovingRange {
         self.range.dim
     }
 
+    pub(super) fn length(&self) -> f64 {
+        self.range.ends[1] - self.range.ends[0]
+    }
+
+    /// The place at a share of the way.
+    pub(super) fn place_within(&self, share: f64) -> Value {
+        self.place(Real::Plain(self.range.ends[0] + share * self.length()))
+    }
+
     /// A place as a value.
     fn place(&self, at: Real) -> Value {
         Number { value: at, dim: self.range.dim }.into_value()

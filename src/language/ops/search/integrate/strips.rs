@@ -3,48 +3,20 @@
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
     integrand::{IntegralRange, Integrand, settled},
+    parts::LOOKS,
 };
 use crate::{
     diag::Result,
-    kernel::{
-        AreaStrip,
-        tolerance::{PARAMETER_RELATIVE, QUADRATURE_RELATIVE},
-    },
+    kernel::{AreaStrip, tolerance::PARAMETER_RELATIVE},
     value::{Real, Value},
 };
 
-/// Where in a strip the function is asked for its size, across and along.
-const LOOKS: [f64; 3] = [1.0 / 6.0, 0.5, 5.0 / 6.0];
-
-/// How many times too large the size of the function may be taken.
-const SIZE_ROOM: f64 = 2.0;
-
-/// An integral over strips: so exact as the size of all of it tells, since little of it may lie in a narrow one,
-/// and a function may have few digits there.
+/// An integral over strips.
 pub(super) fn over_strips(
     strips: &[AreaStrip<'_>],
     integrand: &mut Integrand<'_, '_>,
     tolerances: Tolerances,
 ) -> Result<Found> {
-    let mut size = 0.0;
-    for strip in strips {
-        size += rough_size(strip, integrand)?;
-    }
-    let mut found = to_size(strips, integrand, tolerances, size)?;
-    if SIZE_ROOM * found.size < size {
-        size = found.size;
-        found = to_size(strips, integrand, tolerances, size)?;
-    }
-    Ok(found)
-}
-
-fn to_size(
-    strips: &[AreaStrip<'_>],
-    integrand: &mut Integrand<'_, '_>,
-    [relative, absolute]: Tolerances,
-    size: f64,
-) -> Result<Found> {
-    let tolerances = [relative, absolute.max(QUADRATURE_RELATIVE * size)];
     let mut total = Found::default();
     for strip in strips {
         total = total.plus(over_strip(strip, integrand, shared(tolerances, strips.len()))?);
@@ -61,7 +33,7 @@ fn height(strip: &AreaStrip<'_>, s: f64) -> (f64, f64) {
 }
 
 /// The integral of the function's size, as some places tell it.
-fn rough_size(strip: &AreaStrip<'_>, integrand: &mut Integrand<'_, '_>) -> Result<f64> {
+pub(super) fn rough_strip_size(strip: &AreaStrip<'_>, integrand: &mut Integrand<'_, '_>) -> f64 {
     let mut sum = 0.0;
     for s in LOOKS {
         let (y, rate) = height(strip, s);
@@ -69,11 +41,10 @@ fn rough_size(strip: &AreaStrip<'_>, integrand: &mut Integrand<'_, '_>) -> Resul
         let (start, width) = (places[0], places[places.len() - 1] - places[0]);
         for along in LOOKS {
             let (point, stretch) = strip.at([start + along * width, y]);
-            let factor = Real::Plain(rate * width * stretch);
-            sum += integrand.at(&[Value::Point(point)], &factor)?.size;
+            sum += integrand.size_at(&[Value::Point(point)], rate * width * stretch);
         }
     }
-    Ok(sum / (LOOKS.len() * LOOKS.len()) as f64)
+    sum / (LOOKS.len() * LOOKS.len()) as f64
 }
 
 fn over_strip(
