@@ -3426,7 +3426,7 @@ def ode(f: FunctionLike, start: Any, range: tuple[Quantity, Quantity], *, tolera
     :param f: A function of the variable and the point, or the list of points, that yields the derivative.
     :param start: Where the point is at the start of the range, or a list of points.
     :param range: The range of the variable.
-    :param tolerance: How far the curve may be off; the document's tolerance unless given.
+    :param tolerance: How far the curve may be off, 1e-12 of its size at least; the document's tolerance unless given.
 
     In scripts: ``ode(f: function, start: any, range: range, tolerance: length = none) -> any``
     """

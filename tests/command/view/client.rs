@@ -76,7 +76,8 @@ impl View {
     /// At once: of a file that is emptied first and then written two runs may come, the second of which finds nothing new.
     pub(super) fn save(&self, script: &str) {
         let whole = self.scratch.file("model.geo.whole", script);
-        std::fs::rename(whole, self.scratch.0.join("model.geo")).expect("it takes the other's place");
+        std::fs::rename(whole, self.scratch.0.join("model.geo"))
+            .expect("it takes the other's place");
     }
 
     pub(super) fn script(&self) -> String {

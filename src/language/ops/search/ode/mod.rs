@@ -39,8 +39,7 @@ op! {
         start: Spanned<Value>,
         /// The range of the variable.
         range: Spanned<Range>,
-        /// How far the curve may be off; the document's tolerance unless given. Less than 1e-12 of the size of its
-        /// coordinates counts as that.
+        /// How far the curve may be off, 1e-12 of its size at least; the document's tolerance unless given.
         tolerance: Option<Spanned<Length>>,
     }
     example "ode((t, p) => (-p.y, p.x), start = (1, 0), range = 0..pi).end ~= (-1, 0)" => "true";
