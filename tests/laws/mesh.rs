@@ -184,6 +184,19 @@ proptest! {
     }
 }
 
+/// Inner corners lie halfway between outer ones, and the outer chords within the inner circle.
+#[test]
+fn narrow_rings_do_not_fold() {
+    for (inner, sweep, tolerance) in
+        [(1.96, 4.65, 0.105), (1.9435, 1.56, 0.187), (1.9999, 6.2, 2.0)]
+    {
+        let radius = NurbsCurve::line(DVec3::X * inner, DVec3::X * 2.0).unwrap();
+        let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
+        let ring = NurbsSurface::revolved(&radius, axis, sweep).unwrap();
+        check_facing(&tessellate(&ring, tolerance, MOST).unwrap());
+    }
+}
+
 #[test]
 fn vertices_that_no_triangle_uses_are_left_out() {
     let mesh = grid_mesh(&sphere(DVec3::ZERO, 1.0), 9, 7, MOST, 1).unwrap();

@@ -162,6 +162,10 @@ pub(crate) const FLATTENING_STEPS: usize = 64;
 /// compared than there, the cells become smaller.
 pub(crate) const TESSELLATION_ROUNDS: usize = 5;
 
+/// Meshes that are tried for a surface in a plane until none of their triangles lies over others: the cells become half
+/// as wide each time, as the chords of a narrow ring need it.
+pub(crate) const UNFOLDING_ROUNDS: usize = 10;
+
 /// How often the legs of borders that cross are divided: where borders run into one place along one tangent, each
 /// round is some way nearer to that.
 pub(crate) const CROSSING_ROUNDS: usize = 24;

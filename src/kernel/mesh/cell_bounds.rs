@@ -10,8 +10,6 @@
 
 use std::{collections::BTreeMap, f64::consts::PI, ops::Range, sync::Arc};
 
-use glam::DVec3;
-
 use super::{
     alike::AlikePieces,
     bend::{DerivativeBounds, PieceBounds},
@@ -20,6 +18,7 @@ use super::{
     near::bend_rules,
     rules::PieceRules,
     turns::turns,
+    unfolding::{is_bent, may_fold, unfolded},
 };
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance, ceiling::CELL_PIECES,
@@ -118,6 +117,8 @@ pub(super) struct CellBounds {
     ratios: Arc<Grid<f64>>,
     /// Bounds of the lengths of Su and of Sv, over all pieces.
     pub(super) longest: [f64; 2],
+    /// Of a surface with bent lines in a plane, where cells that are too wide may fold over one another: by how much.
+    unfolding: Option<Arc<Grid<ParameterBoxes>>>,
     /// The widths of cells, where somebody has asked for them already.
     widths: Option<PieceWidths>,
 }
@@ -164,18 +165,24 @@ impl CellBounds {
         let lines =
             are_broken.then(|| line_forms(&pieces, &ends, breaks, per_tolerance / BORDER_SHARE));
         let chord = 2.0 * libm::sin(0.5 * wanted.angle);
-        let angle = wanted.limits_angle().then(|| {
-            let turns = turns(surface, &ends, &alike, wanted.n_threads);
-            Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
-        });
+        let angle = match plane {
+            // There no normal turns.
+            Some(normal) => may_fold(&pieces, normal).then(|| Arc::new(pieces.map(unfolded))),
+            None => wanted.limits_angle().then(|| {
+                let turns = turns(surface, &ends, &alike, wanted.n_threads);
+                Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
+            }),
+        };
+        let unfolding = plane
+            .filter(|_| pieces.iter().any(is_bent))
+            .map(|_| angle.clone().unwrap_or_else(|| Arc::new(pieces.map(unfolded))));
         let mut others = Vec::new();
         if wanted.max_edge.is_finite() {
             let per_edge = 1.0 / (wanted.max_edge * wanted.max_edge);
             others.push(pieces.map(|bend| diagonal(bend).scaled(per_edge)));
         }
         let bends = match plane {
-            Some(normal) => {
-                others.extend(may_fold(&pieces, normal).then(|| pieces.map(unfolded)));
+            Some(_) => {
                 others.extend(lines);
                 None
             }
@@ -186,10 +193,15 @@ impl CellBounds {
             }
         };
         let rules = PieceRules { bends, angle, others: Arc::new(others) };
-        Self { ends, alike, rules, ratios: Arc::new(ratios), longest, widths: None }
+        Self { ends, alike, rules, ratios: Arc::new(ratios), longest, unfolding, widths: None }
     }
 
-    /// The same for an angle that is smaller by a factor.
+    /// Whether cells that are too wide may fold over one another: its lines bend in a plane.
+    pub(super) fn may_fold(&self) -> bool {
+        self.unfolding.is_some()
+    }
+
+    /// The same for an angle that is smaller by a factor, that of normals or, in a plane, that of directions.
     pub(super) fn sharpened(&self, sharpness: f64) -> Self {
         if sharpness <= 1.0 {
             return self.clone();
@@ -197,7 +209,7 @@ impl CellBounds {
         let sharper = |angle: &Arc<Grid<ParameterBoxes>>| {
             Arc::new(angle.map(|turn| turn.scaled(sharpness * sharpness)))
         };
-        let angle = self.rules.angle.as_ref().map(sharper);
+        let angle = self.unfolding.as_ref().or(self.rules.angle.as_ref()).map(sharper);
         Self { rules: PieceRules { angle, ..self.rules.clone() }, widths: None, ..self.clone() }
     }
 
@@ -348,36 +360,4 @@ fn diagonal(bend: &PieceBounds) -> ParameterBoxes {
         + spread_v * along_u.length()
         + spread_u * spread_v;
     ParameterBoxes { uu: u * u, uv: product.min(u * v), vv: v * v }
-}
-
-/// Whether somewhere in a plane Su has a direction that Sv has somewhere.
-fn may_fold(pieces: &Grid<PieceBounds>, normal: DVec3) -> bool {
-    let Some(first) = pieces.as_slice().first() else { return true };
-    let x = first.middle[0];
-    let y = normal.cross(x);
-    let mut directions = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for bend in pieces {
-        for (i, range) in directions.iter_mut().enumerate() {
-            let along = bend.middle[i];
-            let reach = bend.spread[i] / along.length();
-            if 1.0 <= reach || reach.is_nan() {
-                return true;
-            }
-            let (angle, spread) = (libm::atan2(along.dot(y), along.dot(x)), libm::asin(reach));
-            *range = [range[0].min(angle - spread), range[1].max(angle + spread)];
-        }
-    }
-    let [u, v] = directions;
-    v[0] - u[1] <= 0.0 || PI <= v[1] - u[0]
-}
-
-/// The boxes over which neither Su nor Sv turns by half of the angle between them.
-fn unfolded(bend: &PieceBounds) -> ParameterBoxes {
-    let [along_u, along_v, uu, uv, vv] = bend.middle;
-    let angle = libm::atan2(along_u.cross(along_v).length(), along_u.dot(along_v));
-    let room = 0.5 * angle.min(PI - angle);
-    let turn = |along: DVec3, bend: DVec3| along.cross(bend).length() / along.length_squared();
-    let per_u = turn(along_u, uu).max(turn(along_v, uv)) / room;
-    let per_v = turn(along_u, uv).max(turn(along_v, vv)) / room;
-    ParameterBoxes { uu: per_u * per_u, uv: per_u * per_v, vv: per_v * per_v }
 }

@@ -3,7 +3,7 @@
 //! This file has the type; `grid` makes a mesh of a surface by counts, `tessellate` by a tolerance, `any` of functions too, `polygons` of faces, `planar` of regions, both by a `triangulation`;
 //! `faces` are the runs of triangles that stand for faces of more than three corners, and `quadrilaterals` pairs triangles to such. For the latter `bend` bounds derivatives, by the `reach` of
 //! the hulls of `quotient`, or of the two curves of `homothetic`; `cell_bounds` makes of them `rules` for each piece, `compact_rules` where they are gone through many times, `form`s of what a
-//! cell may be, and `near` those along its normal; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division` divides that, `passing` for many
+//! cell may be, `near` those along its normal, and `unfolding` those in a plane; `steps` lays the lines of a `surface_patch`, `seam` finds what the `edge`s of patches share, `division` divides that, `passing` for many
 //! patches, and `stitch` makes the triangles, of a `ball` in `ball_rows` as `ball_mesh` does; `trimmed` those of parts of a surface, whose borders are the `legs` of arcs and come together where
 //! they are `pinched`, and of which the `grid_core` is even cells. `weld` tells which vertices are one place, `places_along` which are in a box, `topology` how the triangles hang together,
 //! `orient` which of them face inward, over `numbered_places`, `measure` area, volume and their centres, `deviation` how far one is from a surface, `distance` how far a place is from one,
@@ -63,6 +63,7 @@ mod topology;
 mod triangulation;
 mod trimmed;
 mod turns;
+mod unfolding;
 mod weld;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};

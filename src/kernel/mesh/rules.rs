@@ -10,9 +10,9 @@ use crate::{Grid, tolerance::VANISHING_RELATIVE};
 pub(super) struct PieceRules {
     /// Those of the deviation; none in a plane.
     pub(super) bends: Option<Arc<Grid<BendRules>>>,
-    /// Of the angle.
+    /// Of the angle between normals; of that between directions in a plane in which cells may fold.
     pub(super) angle: Option<Arc<Grid<ParameterBoxes>>>,
-    /// Of the longest edge, of planes, of the lines in these, where there are such.
+    /// Of the longest edge, of the lines in planes, where there are such.
     pub(super) others: Arc<Vec<Grid<ParameterBoxes>>>,
 }
 

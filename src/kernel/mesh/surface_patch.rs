@@ -179,6 +179,11 @@ impl Cells {
         self.limits.as_ref()
     }
 
+    /// Whether they may fold over one another in a plane.
+    pub(super) fn may_fold(&self) -> bool {
+        self.limits.as_ref().is_some_and(CellBounds::may_fold)
+    }
+
     /// Lets go of the limits, which take most of the memory.
     pub(super) fn let_go(&mut self) {
         self.limits = None;

@@ -14,10 +14,11 @@ use super::{
     passing::cells_and_vertices,
     seam::{SharedEdges, Vertices},
     surface_patch::{Cells, SurfacePatch},
+    unfolding::is_folded,
 };
 use crate::{
     CountError, GeomError, NurbsCurve, NurbsSurface, Surface, bezier,
-    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS},
+    ceiling::{PARAMETER_HALVINGS, TESSELLATION_ROUNDS, UNFOLDING_ROUNDS},
     side_by_side,
     tolerance::PATH_ROUNDING,
     work,
@@ -30,6 +31,9 @@ pub(super) const ANGLE_MARGIN: f64 = 1.02;
 
 /// A round that leaves more than this part of the excess is the last one.
 pub(super) const LEAST_GAIN: f64 = 0.97;
+
+/// How much smaller cells become where they fold over one another in a plane.
+const UNFOLDING: f64 = 2.0;
 
 /// Surfaces for each thread with which all have about as much to do.
 const FEW_SHEETS: usize = 4;
@@ -133,13 +137,14 @@ fn meshes_of(
     let known = seams.places();
     let counts = [max_vertices, n_threads];
     let (mut cells, mut edges) = cells_and_vertices(&seams, (&sheets, &known), &alone, counts)?;
-    // None where nothing is made sharper.
-    let all: Vec<CellBounds> = cells.iter().filter_map(Cells::limits).cloned().collect();
+    // None of what is not made sharper.
+    let kept = |cells: &Cells| {
+        cells.limits().filter(|_| limits.limits_angle() || cells.may_fold()).cloned()
+    };
+    let all: Vec<Option<CellBounds>> = cells.iter().map(kept).collect();
     let mut sharpness = vec![1.0; sheets.len()];
     let mut excesses = vec![f64::INFINITY; sheets.len()];
     let numbers: Vec<usize> = (0..sheets.len()).collect();
-    let cells_of =
-        |i: usize, sharpness: f64| sheets[i].cells(all[i].sharpened(sharpness), max_vertices);
     let mut round = 0;
     loop {
         GeomError::go_on(1)?;
@@ -148,24 +153,31 @@ fn meshes_of(
         });
         let meshes = meshes.into_iter().collect::<Result<Vec<Mesh>, GeomError>>()?;
         round += 1;
-        if !limits.limits_angle() || TESSELLATION_ROUNDS <= round {
-            return Ok(SheetMeshes { meshes, edges });
-        }
         let mut too_wide = Vec::new();
         for (i, mesh) in meshes.iter().enumerate() {
+            let Some(bounds) = &all[i] else { continue };
+            if bounds.may_fold() {
+                if round < UNFOLDING_ROUNDS && is_folded(mesh) {
+                    sharpness[i] *= UNFOLDING;
+                    too_wide.push((i, bounds));
+                }
+                continue;
+            }
             let excess = widest_turn(mesh, limits.tolerance) / limits.angle;
             // Where the normal jumps inside a piece, no size would do.
-            if 1.0 < excess && excess < LEAST_GAIN * excesses[i] {
+            if round < TESSELLATION_ROUNDS && 1.0 < excess && excess < LEAST_GAIN * excesses[i] {
                 sharpness[i] *= (ANGLE_MARGIN * excess).min(MAX_GROWTH);
-                too_wide.push(i);
+                too_wide.push((i, bounds));
             }
             excesses[i] = excess;
         }
         if too_wide.is_empty() {
             return Ok(SheetMeshes { meshes, edges });
         }
-        let narrower = side_by_side::map(&too_wide, n_threads, |&i| cells_of(i, sharpness[i]));
-        for (i, narrower) in too_wide.into_iter().zip(narrower) {
+        let narrower = side_by_side::map(&too_wide, n_threads, |&(i, bounds)| {
+            sheets[i].cells(bounds.sharpened(sharpness[i]), max_vertices)
+        });
+        for ((i, _), narrower) in too_wide.into_iter().zip(narrower) {
             cells[i] = narrower?;
         }
         edges = seams.vertices(&sheets, &cells, &known, max_vertices, n_threads)?;
