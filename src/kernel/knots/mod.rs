@@ -10,14 +10,15 @@ mod checks;
 mod class;
 mod expansion;
 mod fast;
+mod faults;
 mod lookup;
 mod reciprocals;
 
 pub(crate) use checks::check_points;
-use checks::{check_multiplicities, disorder};
 pub use class::KnotClass;
 pub(crate) use expansion::{BasisExpansion, POWER_DEGREE, add_in_powers, convert_to_bezier};
 pub(crate) use fast::acting;
+use faults::{check_multiplicities, disorder};
 pub(crate) use lookup::{BATCH, LocalParameter, SpanLookup};
 use reciprocals::Reciprocals;
 

@@ -5,7 +5,7 @@
 use super::{
     domain::{Domain, pieces},
     found::{Found, Tolerances, shared},
-    integrand::Integrand,
+    integrand::{Integrand, LOOKS},
     moving_range::MovingRange,
     strips::rough_strip_size,
 };
@@ -17,10 +17,6 @@ use crate::{
     },
     value::{IntoValue, RealCurve, RealSurface, Value, Vector},
 };
-
-/// Where a part is asked for the function's size, along each of its numbers: beside a sixth, half and five sixths of
-/// the way, since functions have their poles at simple shares.
-pub(super) const LOOKS: [f64; 3] = [0.163, 0.513, 0.837];
 
 /// How many times too large the size of the function may be taken.
 const SIZE_ROOM: f64 = 2.0;

@@ -2,8 +2,7 @@
 
 use super::{
     found::{Found, Tolerances, nested, place_text, shared},
-    integrand::{IntegralRange, Integrand, settled},
-    parts::LOOKS,
+    integrand::{IntegralRange, Integrand, LOOKS, settled},
 };
 use crate::{
     diag::Result,
