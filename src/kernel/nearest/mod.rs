@@ -25,7 +25,6 @@ use crate::{Grid, KnotVector, homogeneous};
 use gap::ProductFactors;
 use patch::BezierPatch;
 pub(crate) use patch::{FootVector, PatchPart, descend};
-use search::ClosestPointSearch;
 use spans::DirectionSpans;
 pub(crate) use tree::BoxedPiece;
 use tree::PatchTree;
@@ -107,17 +106,6 @@ impl ClosestPointTree {
         distance: f64,
     ) -> Vec<(Arc<P>, [usize; 2])> {
         self.tree.near_pieces(pieces, distance)
-    }
-
-    /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
-    /// looked for with [`SearchTarget::AllWithin`] only.
-    pub(crate) fn places(
-        &self,
-        points: &[DVec4],
-        p: DVec3,
-        wanted: SearchTarget,
-    ) -> SplineParameters {
-        ClosestPointSearch::new(self, points, p, wanted).places(wanted)
     }
 
     fn n_rows(&self) -> usize {

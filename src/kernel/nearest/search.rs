@@ -35,7 +35,7 @@ const COORDINATE_ROUNDINGS: f64 = 16.0;
 const LARGE: f64 = (1_u128 << 120) as f64 * (1_u128 << 120) as f64;
 
 /// One search.
-pub(super) struct ClosestPointSearch<'a> {
+struct ClosestPointSearch<'a> {
     whole: &'a ClosestPointTree,
     points: &'a [DVec4],
     n_columns: usize,
@@ -60,9 +60,22 @@ pub(super) struct ClosestPointSearch<'a> {
     is_crowded: bool,
 }
 
+impl ClosestPointTree {
+    /// The places that are nearest to `p`; `points` are those that it was made of. Stretches are
+    /// looked for with [`SearchTarget::AllWithin`] only.
+    pub(crate) fn places(
+        &self,
+        points: &[DVec4],
+        p: DVec3,
+        wanted: SearchTarget,
+    ) -> SplineParameters {
+        ClosestPointSearch::new(self, points, p, wanted).places(wanted)
+    }
+}
+
 impl<'a> ClosestPointSearch<'a> {
     /// For the places nearest to `p`; `points` are those that the whole was made of.
-    pub(super) fn new(
+    fn new(
         whole: &'a ClosestPointTree,
         points: &'a [DVec4],
         p: DVec3,
@@ -97,7 +110,7 @@ impl<'a> ClosestPointSearch<'a> {
     }
 
     /// The places.
-    pub(super) fn places(mut self, wanted: SearchTarget) -> SplineParameters {
+    fn places(mut self, wanted: SearchTarget) -> SplineParameters {
         self.run();
         self.improve();
         if let SearchTarget::AllWithin(tolerance) = wanted {
