@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec3, DVec4};
 use proptest::{prop_assert, prop_assert_eq, proptest};
 use virote_kernel::{
-    Axis, CountError, GeomError, Mesh, NurbsCurve, NurbsSurface, grid_mesh, polygon_mesh,
-    tessellate, tessellate_curve,
+    Axis, CountError, GeomError, Grid, KnotVector, Mesh, NurbsCurve, NurbsSurface, grid_mesh,
+    polygon_mesh, tessellate, tessellate_curve,
 };
 
 use crate::some::{curve, sphere, surface};
@@ -194,6 +194,20 @@ fn narrow_rings_do_not_fold() {
         let axis = Axis::new(DVec3::ZERO, DVec3::Z).unwrap();
         let ring = NurbsSurface::revolved(&radius, axis, sweep).unwrap();
         check_facing(&tessellate(&ring, tolerance, MOST).unwrap());
+    }
+}
+
+/// At its last corner Su × Sv is (c - 1)² - (c - 2)², which is negative below c = 3/2: there it folds, however small cells are.
+#[test]
+fn a_corner_that_folds_by_itself_is_cut_no_finer_for_it() {
+    for c in [1.55, 1.5, 1.49, 1.48, 1.45] {
+        let corner = |i: usize, j: usize| DVec4::new(i as f64, j as f64, 0.0, 1.0);
+        let last = DVec4::new(c, c, 0.0, 1.0);
+        let net = Grid::from_fn(3, 3, |i, j| if (i, j) == (2, 2) { last } else { corner(i, j) });
+        let knots = [(); 2].map(|()| KnotVector::uniform_clamped(2, 3, 1.0).unwrap());
+        let [knots_u, knots_v] = knots;
+        let patch = NurbsSurface::new(knots_u, knots_v, net).unwrap();
+        assert!(tessellate(&patch, 0.01, 10_000).is_ok(), "{c}");
     }
 }
 

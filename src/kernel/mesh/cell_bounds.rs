@@ -18,7 +18,7 @@ use super::{
     near::bend_rules,
     rules::PieceRules,
     turns::turns,
-    unfolding::{is_bent, may_fold, unfolded},
+    unfolding::{is_bent, is_regular, may_fold, unfolded},
 };
 use crate::{
     Direction, GeomError, Grid, InputError, NurbsSurface, Tolerance, ceiling::CELL_PIECES,
@@ -117,7 +117,7 @@ pub(super) struct CellBounds {
     ratios: Arc<Grid<f64>>,
     /// Bounds of the lengths of Su and of Sv, over all pieces.
     pub(super) longest: [f64; 2],
-    /// Of a surface with bent lines in a plane, where cells that are too wide may fold over one another: by how much.
+    /// Of a surface with bent lines in a plane that does not fold itself, but whose cells may where they are too wide.
     unfolding: Option<Arc<Grid<ParameterBoxes>>>,
     /// The widths of cells, where somebody has asked for them already.
     widths: Option<PieceWidths>,
@@ -173,8 +173,9 @@ impl CellBounds {
                 Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
             }),
         };
+        let may_unfold = pieces.iter().any(is_bent) && pieces.iter().all(is_regular);
         let unfolding = plane
-            .filter(|_| pieces.iter().any(is_bent))
+            .filter(|_| may_unfold)
             .map(|_| angle.clone().unwrap_or_else(|| Arc::new(pieces.map(unfolded))));
         let mut others = Vec::new();
         if wanted.max_edge.is_finite() {

@@ -48,6 +48,16 @@ pub(super) fn is_bent(bend: &PieceBounds) -> bool {
     bends(along_u, uu) || bends(along_v, vv)
 }
 
+/// Whether Su and Sv have different directions all over the piece, by bounds: there only cells fold, not the surface.
+pub(super) fn is_regular(bend: &PieceBounds) -> bool {
+    let [along_u, along_v, ..] = bend.middle;
+    let angle = libm::atan2(along_u.cross(along_v).length(), along_u.dot(along_v));
+    let [turn_u, turn_v] = [0, 1].map(|i| libm::asin(bend.spread[i] / bend.middle[i].length()));
+    let turn = turn_u + turn_v;
+    // No number where one of them may vanish.
+    turn < angle && angle + turn < PI
+}
+
 /// The boxes over which neither Su nor Sv turns by half of the angle between them.
 pub(super) fn unfolded(bend: &PieceBounds) -> ParameterBoxes {
     let [along_u, along_v, uu, uv, vv] = bend.middle;
