@@ -173,9 +173,8 @@ impl CellBounds {
                 Arc::new(turns.map(|turn| turn.scaled(1.0 / (chord * chord))))
             }),
         };
-        let may_unfold = pieces.iter().any(is_bent) && pieces.iter().all(is_regular);
         let unfolding = plane
-            .filter(|_| may_unfold)
+            .filter(|_| pieces.iter().any(is_bent) && pieces.iter().all(is_regular))
             .map(|_| angle.clone().unwrap_or_else(|| Arc::new(pieces.map(unfolded))));
         let mut others = Vec::new();
         if wanted.max_edge.is_finite() {
@@ -197,8 +196,8 @@ impl CellBounds {
         Self { ends, alike, rules, ratios: Arc::new(ratios), longest, unfolding, widths: None }
     }
 
-    /// Whether cells that are too wide may fold over one another: its lines bend in a plane.
-    pub(super) fn may_fold(&self) -> bool {
+    /// Whether it lies in a plane, and smaller cells do not fold over one another where these do.
+    pub(super) fn can_unfold(&self) -> bool {
         self.unfolding.is_some()
     }
 

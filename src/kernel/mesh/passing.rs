@@ -51,7 +51,7 @@ pub(super) fn cells_and_vertices(
             held.extend(block);
             held.retain(|&i| {
                 let is_needed = cells.len() <= last_of_sheet[i];
-                if !is_needed && !cells[i].may_fold() {
+                if !is_needed && !cells[i].can_unfold() {
                     cells[i].let_go();
                 }
                 is_needed

@@ -179,9 +179,9 @@ impl Cells {
         self.limits.as_ref()
     }
 
-    /// Whether they may fold over one another in a plane.
-    pub(super) fn may_fold(&self) -> bool {
-        self.limits.as_ref().is_some_and(CellBounds::may_fold)
+    /// Whether smaller ones do not fold over one another where these do, in a plane.
+    pub(super) fn can_unfold(&self) -> bool {
+        self.limits.as_ref().is_some_and(CellBounds::can_unfold)
     }
 
     /// Lets go of the limits, which take most of the memory.

@@ -139,7 +139,7 @@ fn meshes_of(
     let (mut cells, mut edges) = cells_and_vertices(&seams, (&sheets, &known), &alone, counts)?;
     // None of what is not made sharper.
     let kept = |cells: &Cells| {
-        cells.limits().filter(|_| limits.limits_angle() || cells.may_fold()).cloned()
+        cells.limits().filter(|_| limits.limits_angle() || cells.can_unfold()).cloned()
     };
     let all: Vec<Option<CellBounds>> = cells.iter().map(kept).collect();
     let mut sharpness = vec![1.0; sheets.len()];
@@ -156,7 +156,7 @@ fn meshes_of(
         let mut too_wide = Vec::new();
         for (i, mesh) in meshes.iter().enumerate() {
             let Some(bounds) = &all[i] else { continue };
-            if bounds.may_fold() {
+            if bounds.can_unfold() {
                 if round < UNFOLDING_ROUNDS && is_folded(mesh) {
                     sharpness[i] *= UNFOLDING;
                     too_wide.push((i, bounds));
