@@ -13,13 +13,13 @@ trap 'rm -rf "$folder"' EXIT
 
 python3 -m venv "$folder/venv"
 python=$folder/venv/bin/python
-"$python" -m pip install --quiet --disable-pip-version-check maturin
+# What is not imported need not be compiled.
+install=("$python" -m pip install --quiet --disable-pip-version-check --no-compile)
+"${install[@]}" maturin pytest mypy pandas pyarrow scipy distributed optuna SALib openmdao nbclient ipykernel
 PATH=$folder/venv/bin:$PATH maturin build --quiet --profile "$profile" --out "$folder/wheels"
 wheel=("$folder"/wheels/*.whl)
 echo "${wheel[0]##*/}: $(stat -c %s "${wheel[0]}") bytes"
-# What is not imported need not be compiled.
-"$python" -m pip install --quiet --disable-pip-version-check --no-compile "${wheel[0]}" \
-    pytest mypy pandas pyarrow scipy distributed optuna SALib openmdao nbclient ipykernel
+"${install[@]}" "${wheel[0]}"
 
 # Away from here, so that what is tested is the wheel.
 cp -r tests generate.py pyproject.toml "$folder/"

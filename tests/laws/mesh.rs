@@ -32,7 +32,7 @@ fn distance_to_triangle(p: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
 fn deviation(surface: &NurbsSurface, mesh: &Mesh) -> f64 {
     let triangles: Vec<[DVec3; 3]> = mesh.corners().collect();
     let samples =
-        surface.points_on_grid(&surface.domain_u().steps(31), &surface.domain_v().steps(29));
+        surface.points_on_grid(&surface.domain_u().steps(17), &surface.domain_v().steps(13));
     let to_mesh = |&point: &DVec3| {
         let distances = triangles.iter().map(|&triangle| distance_to_triangle(point, triangle));
         distances.fold(f64::INFINITY, f64::min)

@@ -173,7 +173,7 @@ fn no_point_of_a_winding_curve_is_nearer() {
     let samples: Vec<(f64, DVec3)> =
         curve.domain().steps(3000).into_iter().map(|t| (t, curve.point_at(t))).collect();
     let (low, size) = (DVec3::new(-15.0, -3.0, -3.0), DVec3::new(130.0, 17.0, 19.0));
-    for at in scattered(2000) {
+    for at in scattered(1000) {
         let p = low + size * at;
         let (foot, least) = (curve.closest(p, TOLERANCE), by_force(&curve, &samples, p));
         assert!(foot.distance <= least + 1e-10, "{p}: {} not {least}", foot.distance);
@@ -207,7 +207,7 @@ fn a_point_of_a_spiral_is_found_on_it_at_any_tolerance() {
 fn no_point_of_a_wave_is_nearer_beside_it_either() {
     for surface in [wave(|_, _| 1.0), wave(|i, j| 1.0 + 0.3 * ((3 * i + 5 * j) % 7) as f64)] {
         let samples = samples(&surface, 100);
-        for at in scattered(400) {
+        for at in scattered(200) {
             check(
                 &surface,
                 &samples,

@@ -75,7 +75,7 @@ fn check(region: &Region) {
 
 proptest! {
     // Each is four long sums.
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn strips_fill_what_boundaries_enclose(radii in vec(1.0..3.0_f64, 5..12), turn in 0.0..TAU, hole in 0.1..0.5_f64) {

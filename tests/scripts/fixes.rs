@@ -5,12 +5,16 @@ use std::{fs, path::Path};
 use virote::{
     diag::Diagnostic,
     ide,
+    limits::Limits,
     session::{Report, Session},
     value::MemoryFiles,
 };
 
+/// What takes longer has no fix.
+const LIMITS: Limits = Limits { steps: 100_000, ..Limits::DEFAULT };
+
 fn run(text: &str, files: &MemoryFiles) -> Report {
-    Session::default().run("main.geo", text.as_bytes(), files, &[])
+    Session::new(LIMITS).run("main.geo", text.as_bytes(), files, &[])
 }
 
 /// The text after the first fix of a run.

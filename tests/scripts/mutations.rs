@@ -26,10 +26,10 @@ use virote::{
 use crate::support::{folder, programs, report};
 
 /// Of so many torn scripts one is read: no multiple of the three that are made of a token.
-const READ: usize = 4;
+const READ: usize = 7;
 
 /// Of so many torn scripts one is evaluated, if it can be read.
-const EVALUATED: usize = 40;
+const EVALUATED: usize = 70;
 
 /// After so many complaints no more are looked for.
 const MOST_COMPLAINTS: usize = 5;
