@@ -88,8 +88,8 @@ pub struct NurbsSurface {
     nearest: Lazy<ClosestPointTree>,
     /// The smallest box around it.
     bounds: Lazy<Bounds>,
-    /// What it is a part of, with the distance that was asked for first.
-    analytic: Lazy<(f64, Option<AnalyticSurface>)>,
+    /// What it is a part of, each with the distance that it was asked for with: the first few of these.
+    analytic: [Lazy<(f64, Option<AnalyticSurface>)>; 3],
 }
 
 impl NurbsSurface {
@@ -210,7 +210,7 @@ impl NurbsSurface {
             expanded: Lazy::default(),
             nearest: Lazy::default(),
             bounds: Lazy::default(),
-            analytic: Lazy::default(),
+            analytic: Default::default(),
         }
     }
 

@@ -149,12 +149,13 @@ impl NurbsSurface {
     /// `distance` of one another are taken for one, and are one up to rounding then.
     #[must_use]
     pub fn analytic(&self, distance: f64) -> Option<AnalyticSurface> {
-        let (known_for, known) =
-            self.analytic.get_or_make(|| (distance, self.found_analytic(distance)));
-        match known_for.to_bits() == distance.to_bits() {
-            true => *known,
-            false => self.found_analytic(distance),
+        for told in &self.analytic {
+            let (known_for, known) = told.get_or_make(|| (distance, self.found_analytic(distance)));
+            if known_for.to_bits() == distance.to_bits() {
+                return *known;
+            }
         }
+        self.found_analytic(distance)
     }
 
     fn found_analytic(&self, distance: f64) -> Option<AnalyticSurface> {
