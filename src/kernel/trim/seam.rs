@@ -91,7 +91,7 @@ impl PulledCurve<'_> {
                 is_along = is_along && is_on(self.place(t, before.1)?);
             }
             // Between both it is least in one place.
-            let (mut ends, mut near) = ([before.0, here.0], before.1);
+            let (mut ends, mut near, mut is_first) = ([before.0, here.0], before.1, true);
             // In what is left of the stretch it gets no farther beyond the seam than the tolerance.
             let rounding = 8.0 * LAST_BIT * before.0.abs().max(here.0.abs());
             let shortest = (0.5 * self.tolerance * (here.0 - before.0) / way).max(rounding);
@@ -107,10 +107,19 @@ impl PulledCurve<'_> {
                     }
                 }
                 let at = |share: f64| ends[0] + share * (ends[1] - ends[0]);
-                ends = match heights[0] < heights[1] {
-                    true => [ends[0], at(0.55)],
-                    false => [at(0.45), ends[1]],
-                };
+                let is_early = heights[0] < heights[1];
+                ends = if is_early { [ends[0], at(0.55)] } else { [at(0.45), ends[1]] };
+                if std::mem::take(&mut is_first) {
+                    // From an end where it is least it goes away from the seam at once.
+                    let (end, inward) =
+                        if is_early { (before, shortest) } else { (here, -shortest) };
+                    let place = self.place(end.0 + inward, end.1)?;
+                    if self.on_seam_beside(place, before.1).is_none()
+                        && height(end.1) + self.accuracy < height(place)
+                    {
+                        break;
+                    }
+                }
             }
         }
         Ok(None)
