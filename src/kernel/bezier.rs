@@ -3,6 +3,8 @@
 //! Works on bare slices of homogeneous points, so that curves and the rows and columns of
 //! surfaces share it. Every step is a convex combination.
 
+use std::ops::RangeInclusive;
+
 use glam::DVec4;
 
 use super::{Direction, Grid, KnotVector};
@@ -25,7 +27,7 @@ pub(crate) fn blossom(
 ) -> DVec4 {
     let mut corners = points[knots.support(span)].to_vec();
     for (level, &t) in arguments.iter().enumerate() {
-        cut(knots.as_slice(), span, level + 1, t, &mut corners);
+        cut(knots.as_slice(), span, level + 1, t, level + 1..=knots.degree(), &mut corners);
     }
     corners[knots.degree()]
 }
@@ -49,10 +51,17 @@ pub(crate) fn blossom_factors(knots: &KnotVector, span: usize, arguments: &[f64]
     factors
 }
 
-/// One level of de Boor's corner cutting at `t`, in place: `corners[q..]` are the new ones.
-fn cut(knots: &[f64], span: usize, q: usize, t: f64, corners: &mut [DVec4]) {
+/// One level q of de Boor's corner cutting at `t`, in place: `corners[q..]` are the new ones, of which some are made.
+fn cut(
+    knots: &[f64],
+    span: usize,
+    q: usize,
+    t: f64,
+    made: RangeInclusive<usize>,
+    corners: &mut [DVec4],
+) {
     let p = corners.len() - 1;
-    for r in (q..=p).rev() {
+    for r in made.rev() {
         let (left, right) = (knots[span + r - p], knots[span + 1 + r - q]);
         corners[r] = blend(corners[r - 1], corners[r], (t - left) / (right - left));
     }
@@ -129,16 +138,22 @@ fn local_piece(knots: &KnotVector, local: &[DVec4], span: usize) -> Vec<DVec4> {
     if p == 0 || start <= knots.as_slice()[span + 1 - p] && knots.as_slice()[span + p] <= end {
         return at_end;
     }
+    // Where a knot stands more than once cuts at it move points, or leave them where they are.
+    let (before, behind) = knots.as_slice()[span + 1 - p..=span + p].split_at(p);
+    let n_starts = before.iter().filter(|&&knot| start <= knot).count();
+    let n_ends = behind.iter().filter(|&&knot| knot <= end).count();
     let mut corners = local.to_vec();
     let blossom = |n_at_end: usize| {
         if 0 < n_at_end {
-            cut(knots.as_slice(), span, n_at_end, end, &mut at_end);
+            let moved = n_at_end + n_ends..=p;
+            cut(knots.as_slice(), span, n_at_end, end, moved, &mut at_end);
         }
+        let last = n_at_end.max(p - n_starts);
         corners.copy_from_slice(&at_end);
-        for q in n_at_end + 1..=p {
-            cut(knots.as_slice(), span, q, start, &mut corners);
+        for q in n_at_end + 1..=last {
+            cut(knots.as_slice(), span, q, start, q..=last, &mut corners);
         }
-        corners[p]
+        corners[last]
     };
     (0..=p).map(blossom).collect()
 }
