@@ -12,13 +12,15 @@ use crate::{
 /// A part of the plane that no edge of an arrangement runs through.
 pub(crate) struct PlaneCell {
     pub(crate) region: Region,
+    pub(crate) area: f64,
     /// The edges around it, and whether it is to the left of them.
     pub(crate) steps: Vec<OrientedEdge>,
 }
 
 /// Such a part, with what is known of its borders.
 struct BorderedCell {
-    /// What its outer border goes around.
+    /// What its outer border goes around, and what is left of that by its holes.
+    within: f64,
     area: f64,
     /// The number that edges have in common which hang together with that.
     component: usize,
@@ -63,9 +65,9 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
         }
         if 0.0 < area {
             let (loops, steps) = (vec![border], vec![steps]);
-            parts.push(BorderedCell { area, component, loops, steps });
+            parts.push(BorderedCell { within: area, area, component, loops, steps });
         } else {
-            holes.push((component, border, steps));
+            holes.push((component, border, area, steps));
         }
     }
     let outer_edges: Vec<Vec<usize>> =
@@ -73,8 +75,8 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
     let bounds: Vec<Bounds> = parts.iter().map(|part| part.loops[0].bounds()).collect();
     // The smallest that holds a hole has it.
     let mut by_area: Vec<usize> = (0..parts.len()).collect();
-    sort_by(&mut by_area, |&a, &b| parts[a].area.total_cmp(&parts[b].area));
-    for (component, hole, steps) in holes {
+    sort_by(&mut by_area, |&a, &b| parts[a].within.total_cmp(&parts[b].within));
+    for (component, hole, area, steps) in holes {
         let (mut around, within) = (None, hole.bounds());
         GeomError::go_on(1 + parts.len())?;
         for &i in &by_area {
@@ -92,15 +94,16 @@ pub(crate) fn cells(arrangement: &Arrangement, distance: f64) -> Result<Vec<Plan
         }
         // What goes around everything of its own has nothing around it.
         if let Some(around) = around {
+            parts[around].area += area;
             parts[around].loops.push(hole);
             parts[around].steps.push(steps);
         }
     }
     let mut cells = Vec::with_capacity(parts.len());
-    for BorderedCell { mut loops, steps, .. } in parts {
+    for BorderedCell { area, mut loops, steps, .. } in parts {
         cut_where_they_touch(&mut loops, &steps, arrangement)?;
         let region = Region { frame: Frame::XY, loops };
-        cells.push(PlaneCell { region, steps: steps.concat() });
+        cells.push(PlaneCell { region, area, steps: steps.concat() });
     }
     Ok(cells)
 }

@@ -59,7 +59,7 @@ fn chords(region: &Region) -> f64 {
 fn check_sum(face: &Face, cells: &[PlaneCell], tolerance: f64) -> Result<(), GeomError> {
     let parts = || cells.iter().map(|cell| &cell.region);
     let whole: f64 = face.parts.iter().map(Region::area).sum();
-    let excess = parts().map(Region::area).sum::<f64>() - whole;
+    let excess = cells.iter().map(|cell| cell.area).sum::<f64>() - whole;
     let is_within = |length: fn(&Region) -> f64| {
         excess.abs() <= tolerance * face.parts.iter().chain(parts()).map(length).sum::<f64>()
     };
