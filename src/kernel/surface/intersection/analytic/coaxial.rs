@@ -181,7 +181,7 @@ impl NurbsSurface {
     }
 
     /// The direction along which it goes all around an axis, if along one.
-    fn direction_around(&self, axis: Frame, distance: f64) -> Option<Direction> {
+    pub(super) fn direction_around(&self, axis: Frame, distance: f64) -> Option<Direction> {
         let domains = [self.domain_u(), self.domain_v()];
         let is_around = |along: Direction| {
             let places = [0.2, 0.4, 0.7].map(|at| domains.map(|domain| domain.at(at)));

@@ -8,13 +8,17 @@
 //! Farin, *Curves and Surfaces for CAGD*, §12; Piegl & Tiller, *The NURBS Book*, §7.3.
 
 mod carrier;
+mod ellipse_around;
 mod plane_conic;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use glam::{DVec2, DVec3, DVec4};
 
-use self::{carrier::ExactCarrier, plane_conic::PlaneConic};
+use self::{
+    carrier::ExactCarrier,
+    plane_conic::{Ellipse, PlaneConic},
+};
 use crate::{
     Frame, Interval, KnotVector, NurbsCurve, NurbsSurface,
     ceiling::CONIC_HALVINGS,
@@ -27,10 +31,6 @@ const PARTS: usize = 4;
 
 /// The largest weight in the middle of a piece whose ends have weight one: beyond it the parameter runs unevenly.
 const LARGEST_WEIGHT: f64 = 2.0;
-
-/// Places within each piece that are put into the equation: one more than the degree of what is left of that of a
-/// torus.
-const N_PROOFS: usize = 9;
 
 /// Where within each piece it is compared with what was found.
 const COMPARED: [f64; 3] = [0.2, 0.5, 0.8];
@@ -83,7 +83,7 @@ impl ConicSearch<'_> {
                 [self.found.start(), self.found.end()].map(|end| self.onto(&conic, end));
             let ends = [start?, end?];
             let curve = self.ellipse(&conic, ends).or_else(|| self.pieces(&conic, ends))?;
-            (self.is_on(&curve) && self.is_near(&curve)).then_some(curve)
+            (self.carrier.holds(&curve, self.allowed) && self.is_near(&curve)).then_some(curve)
         });
         found.into_iter().next()
     }
@@ -108,7 +108,7 @@ impl ConicSearch<'_> {
         }
         let knots = vec![domain.start(), domain.start(), domain.end(), domain.end()];
         let line = NurbsCurve::polynomial(KnotVector::new(1, knots).ok()?, &[start, end]).ok()?;
-        self.is_on(&line).then_some(line)
+        self.carrier.holds(&line, self.allowed).then_some(line)
     }
 
     /// The arc of an ellipse.
@@ -131,25 +131,8 @@ impl ConicSearch<'_> {
         if is_closed && (n_turns.abs() - 1.0).abs() > 0.0 {
             return None;
         }
-        sweep = if is_closed { n_turns * TAU } else { sweep };
-        let n_pieces = libm::ceil(sweep.abs() / FRAC_PI_2 - KNOT_RELATIVE).max(1.0);
-        let step = sweep / n_pieces;
-        let weight = libm::cos(0.5 * step);
-        let corner = |k: f64| match k {
-            k if k <= 0.0 => start,
-            k if n_pieces <= k && is_closed => start,
-            k if n_pieces <= k => end,
-            k => ellipse.place(from + step * k, 1.0),
-        };
-        let domain = self.found.domain();
-        let piece = |k: usize| {
-            let k = k as f64;
-            let middle = ellipse.place(from + step * (k + 0.5), weight.recip());
-            let points = [(corner(k), 1.0), (middle, weight), (corner(k + 1.0), 1.0)];
-            let ends = [k, k + 1.0].map(|k| domain.at(k / n_pieces));
-            (ends, points.map(|(place, weight)| conic.point(place, weight)))
-        };
-        assembled(&(0..n_pieces as usize).map(piece).collect::<Vec<_>>())
+        let (end, sweep) = if is_closed { (start, n_turns * TAU) } else { (end, sweep) };
+        arc_of(&ellipse, conic, [start, end], sweep, self.found.domain())
     }
 
     /// Pieces of any conic between tangents.
@@ -200,13 +183,6 @@ impl ConicSearch<'_> {
         legs.windows(2).map(|pair| angle_between(pair[0], pair[1])).sum()
     }
 
-    /// Whether a curve lies on the carrier up to rounding.
-    fn is_on(&self, curve: &NurbsCurve) -> bool {
-        let intervals = curve.knots().spans().map(|span| curve.knots().span_interval(span));
-        let mut places = intervals.flat_map(|interval: Interval| interval.steps(N_PROOFS - 1));
-        places.all(|t| self.carrier.misses(curve.point_at(t)) <= self.allowed)
-    }
-
     /// Whether a curve is within the tolerance of what was found.
     fn is_near(&self, curve: &NurbsCurve) -> bool {
         let intervals = curve.knots().spans().map(|span| curve.knots().span_interval(span));
@@ -217,6 +193,34 @@ impl ConicSearch<'_> {
             self.found.foot_within(point, self.tolerance).is_some()
         })
     }
+}
+
+/// The arc of an ellipse in the plane of a conic between two places, by an angle of its circle that leads from the first to
+/// the last, at an even pace over a domain.
+fn arc_of(
+    ellipse: &Ellipse,
+    conic: &PlaneConic,
+    [start, end]: [DVec2; 2],
+    sweep: f64,
+    domain: Interval,
+) -> Option<NurbsCurve> {
+    let from = ellipse.angle(start);
+    let n_pieces = libm::ceil(sweep.abs() / FRAC_PI_2 - KNOT_RELATIVE).max(1.0);
+    let step = sweep / n_pieces;
+    let weight = libm::cos(0.5 * step);
+    let corner = |k: f64| match k {
+        k if k <= 0.0 => start,
+        k if n_pieces <= k => end,
+        k => ellipse.place(from + step * k, 1.0),
+    };
+    let piece = |k: usize| {
+        let k = k as f64;
+        let middle = ellipse.place(from + step * (k + 0.5), weight.recip());
+        let points = [(corner(k), 1.0), (middle, weight), (corner(k + 1.0), 1.0)];
+        let ends = [k, k + 1.0].map(|k| domain.at(k / n_pieces));
+        (ends, points.map(|(place, weight)| conic.point(place, weight)))
+    };
+    assembled(&(0..n_pieces as usize).map(piece).collect::<Vec<_>>())
 }
 
 /// Pieces of degree 2 that follow one another as one curve.

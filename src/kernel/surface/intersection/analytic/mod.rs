@@ -9,8 +9,8 @@
 //!
 //! `quadric` tells on which kind of quadric a surface lies, whatever part of it it covers and however
 //! often, by an `equation` that singular values propose. `apart` puts other surfaces into such equations. `conic` has the exact curves in which
-//! planes cut them, `coaxial` the circles in which those about one axis cross, `inscribed` the conics of cylinders and
-//! cones around one sphere, `carrier` tells which are parts of one,
+//! planes cut them, without a search where that is an ellipse all around, `coaxial` the circles in which those about one
+//! axis cross, `inscribed` the conics of cylinders and cones around one sphere, `carrier` tells which are parts of one,
 //! `chart` has the parameters that files give them.
 
 mod apart;

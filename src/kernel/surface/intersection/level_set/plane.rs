@@ -53,7 +53,9 @@ impl NurbsSurface {
         }
         let distance = self.line_tolerance(tolerance)?;
         let circle = self.circle_of_ball(plane, distance).map(|circle| vec![circle]);
-        if let Some(curves) = circle.or_else(|| self.circles_across(plane, distance)) {
+        let circles = circle.or_else(|| self.circles_across(plane, distance));
+        let ellipse = || self.ellipse_around(plane, distance).map(|ellipse| vec![ellipse]);
+        if let Some(curves) = circles.or_else(ellipse) {
             return Ok(LevelSet { curves, ..LevelSet::default() });
         }
         let mut found = self.lines_in(plane, distance, tolerance)?;

@@ -4,13 +4,17 @@ use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 use super::plane_conic::PlaneConic;
 use crate::{
-    AnalyticForm, Frame, NurbsSurface,
+    AnalyticForm, Frame, NurbsCurve, NurbsSurface,
     frame::{norm, unit},
     tolerance::{ANALYTIC_RELATIVE, LAST_BIT},
 };
 
 /// Last bits of coordinates within which a plane and a torus that touch may miss one another.
 const TOUCH_ROUNDINGS: f64 = 64.0;
+
+/// Places within each piece that are put into the equation: one more than the degree of what is left of that of a
+/// torus.
+const N_PROOFS: usize = 9;
 
 /// A surface with an equation.
 #[derive(Clone, Copy, Debug)]
@@ -74,8 +78,15 @@ impl ExactCarrier {
         }
     }
 
+    /// Whether a curve lies on it as near as what is rounding.
+    pub(super) fn holds(&self, curve: &NurbsCurve, allowed: f64) -> bool {
+        let intervals = curve.knots().spans().map(|span| curve.knots().span_interval(span));
+        let mut places = intervals.flat_map(|interval| interval.steps(N_PROOFS - 1));
+        places.all(|t| self.misses(curve.point_at(t)) <= allowed)
+    }
+
     /// How far a point beside it is from it, in the first order.
-    pub(super) fn misses(&self, point: DVec3) -> f64 {
+    fn misses(&self, point: DVec3) -> f64 {
         match self {
             Self::Plane(origin, normal) => (point - origin).dot(*normal).abs(),
             Self::Quadric(quadric) => quadric.misses(point),
