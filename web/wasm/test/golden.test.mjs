@@ -1,3 +1,3 @@
 import { testPrograms } from "./programs.mjs";
 
-testPrograms("tests/golden");
+testPrograms("tests/golden", 3);
