@@ -7,6 +7,7 @@
 use std::collections::{HashMap, HashSet};
 
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 use super::{Mesh, nearest::MeshDistance};
 use crate::{
@@ -26,11 +27,17 @@ pub(crate) enum TriangleMeeting {
     Overlay { places: Vec<CommonWeights> },
 }
 
+/// Corners of a triangle within another one: six at most, but for rounding.
+type CommonPolygon = SmallVec<[DVec2; 8]>;
+
 /// A triangle with its plane; corners in that by two axes.
 struct PlacedTriangle {
     corners: [DVec3; 3],
+    bounds: Bounds,
     normal: DVec3,
     axes: [DVec3; 2],
+    /// Its corners in its plane.
+    flat: [DVec2; 3],
     /// What is no further from the plane lies in it.
     slack: f64,
 }
@@ -52,12 +59,12 @@ impl Mesh {
         for (i, own) in placed.iter().enumerate() {
             GeomError::go_on(1)?;
             let Some(own) = own else { continue };
-            let around = own.bounds();
+            let around = own.bounds;
             let near = Bounds { min: around.min - reach, max: around.max + reach };
             let (mut found, triangle) = (None, i as u32);
             tree.each_near(near, |other| {
                 let Some(beside) = placed[other as usize].as_ref() else { return };
-                if other <= triangle || found.is_some() || !beside.bounds().is_near(near, 0.0) {
+                if other <= triangle || found.is_some() || !beside.bounds.is_near(near, 0.0) {
                     return;
                 }
                 found = own
@@ -109,21 +116,13 @@ impl PlacedTriangle {
         let normal = unit((b - a).cross(c - a))?;
         let along = unit(b - a)?;
         let axes = [along, normal.cross(along)];
-        Some(Self { corners, normal, axes, slack })
-    }
-
-    fn bounds(&self) -> Bounds {
-        let [a, b, c] = self.corners;
-        Bounds { min: a.min(b).min(c), max: a.max(b).max(c) }
+        let bounds = Bounds { min: a.min(b).min(c), max: a.max(b).max(c) };
+        let placed = Self { corners, bounds, normal, axes, flat: [DVec2::ZERO; 3], slack };
+        Some(Self { flat: corners.map(|corner| placed.flat_place(corner)), ..placed })
     }
 
     fn height(&self, point: DVec3) -> f64 {
         self.normal.dot(point - self.corners[0])
-    }
-
-    /// Its corners in its plane.
-    fn flat(&self) -> [DVec2; 3] {
-        self.corners.map(|corner| self.flat_place(corner))
     }
 
     fn flat_place(&self, point: DVec3) -> DVec2 {
@@ -162,7 +161,7 @@ impl PlacedTriangle {
             false => f64::from(u8::from(behind.abs() < before.abs())),
         };
         let point = p.lerp(q, share);
-        let own = weights(self.flat(), self.flat_place(point));
+        let own = weights(self.flat, self.flat_place(point));
         if self.slack < self.height(point).abs() || own.iter().any(|&w| w < -WEIGHT_SLACK) {
             return None;
         }
@@ -182,12 +181,12 @@ impl PlacedTriangle {
         if heights.iter().all(|&h| reach < h) || heights.iter().all(|&h| h < -reach) {
             return None;
         }
-        let [own, theirs] = [self.flat(), other.corners.map(|corner| self.flat_place(corner))];
+        let [own, theirs] = [self.flat, other.corners.map(|corner| self.flat_place(corner))];
         let turned = match self.normal.dot(other.normal) < 0.0 {
             true => [theirs[0], theirs[2], theirs[1]],
             false => theirs,
         };
-        let common = clipped(turned.to_vec(), own);
+        let common = clipped(CommonPolygon::from_slice(&turned), own);
         let least = OVERLAID_SHARE * double_area(&own).min(double_area(&turned));
         if common.len() < 3 || double_area(&common) <= least {
             return None;
@@ -213,18 +212,18 @@ fn weights([a, b, c]: [DVec2; 3], at: DVec2) -> [f64; 3] {
 
 /// The part of a convex polygon within a triangle, both counter-clockwise. Sutherland & Hodgman, "Reentrant polygon
 /// clipping" (1974).
-fn clipped(mut polygon: Vec<DVec2>, triangle: [DVec2; 3]) -> Vec<DVec2> {
+fn clipped(mut polygon: CommonPolygon, triangle: [DVec2; 3]) -> CommonPolygon {
     for (from, to) in [(0, 1), (1, 2), (2, 0)] {
         let (start, way) = (triangle[from], triangle[to] - triangle[from]);
         let side = |point: DVec2| way.perp_dot(point - start);
-        let sides: Vec<f64> = polygon.iter().map(|&point| side(point)).collect();
+        let sides: SmallVec<[f64; 8]> = polygon.iter().map(|&point| side(point)).collect();
         if sides.iter().all(|&side| side <= 0.0) {
-            return Vec::new();
+            return CommonPolygon::new();
         }
         if sides.iter().all(|&side| 0.0 <= side) {
             continue;
         }
-        let mut kept = Vec::with_capacity(polygon.len() + 1);
+        let mut kept = CommonPolygon::new();
         for (i, &point) in polygon.iter().enumerate() {
             let next = (i + 1) % polygon.len();
             if 0.0 <= sides[i] {
